@@ -17,7 +17,7 @@ pub(crate) const FEWEST_CYCLES: usize = 4;
 /// Fewer rows with a force are learnt nothing from.
 pub const FEWEST_ROWS: usize = 20;
 /// Rates whose quotient is larger are other rates.
-pub const RATE_FACTOR: f64 = 1.5;
+pub(crate) const RATE_FACTOR: f64 = 1.5;
 /// Refusal of recordings that can't be used as the recipe asks.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Refusal {

@@ -9,11 +9,11 @@ use crate::recording::typical_interval;
 use crate::rows::RATE_FACTOR;
 
 /// Rows whose typical interval tells a stream's rate.
-const RATE_ROWS: usize = 50;
+pub const RATE_ROWS: usize = 50;
 /// A row nearer to the one before than this share of the typical interval is no row of its own: ten times the rate that was learnt.
 const SOONEST: f64 = 0.1;
 /// Most ticks of a clock between two rows: ten minutes of a fast rig. Rows further apart are apart, whatever the pause.
-const MOST_TICKS: f64 = 1e6;
+pub const MOST_TICKS: f64 = 1e6;
 /// Late rows in rising order after which it is the clock that was set back.
 const LATE_ROWS: usize = 3;
 
@@ -102,8 +102,13 @@ impl RowWatch {
             return false;
         };
         let found = typical_interval(self.intervals.make_contiguous());
-        found.is_some_and(|found| found * RATE_FACTOR < least || found > greatest * RATE_FACTOR)
+        found.is_some_and(|found| is_other_rate(found, (least, greatest)))
     }
+}
+
+/// Whether a typical interval is that of another rate than those which were learnt, s: least and greatest.
+pub fn is_other_rate(interval_s: f64, (least, greatest): (f64, f64)) -> bool {
+    interval_s * RATE_FACTOR < least || interval_s > greatest * RATE_FACTOR
 }
 
 #[cfg(test)]

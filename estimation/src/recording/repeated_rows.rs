@@ -6,15 +6,38 @@ use crate::recording::Recording;
 
 /// Rows that are looked for together. Measured anew, a signal whose noise is a thousandth of its range is as near as [`SAME`] in one of nine rows: in all of them once in 10^30.
 const ROWS: usize = 32;
-/// Places of a recording whose rows are looked for in the other one.
+/// Places of a recording whose rows are looked for in another one, at most.
 const PLACES: usize = 24;
+/// Rows at which places are looked for, over all pairs of recordings: a second's work. Of many recordings fewer places are looked for, of very many none.
+const MOST_LOOKS: usize = 50_000_000;
 /// Share of a column's range by which values may differ: other printed digits.
 const SAME: f64 = 2e-4;
 /// Share of a column's range that it must cover in the rows that are looked for: what stands still is like all else that does.
 const MOVING: f64 = 0.05;
 
-/// First rows of a stretch that both have; `None` where they share none that was looked at, or nothing moves.
-pub fn repeated(one: &Recording, other: &Recording) -> Option<[usize; 2]> {
+/// Pairs of recordings that share a stretch, by their numbers, the earlier one first, each with the row where it begins.
+pub fn repeated_pairs(recordings: &[Recording]) -> Vec<[(usize, usize); 2]> {
+    let pairs =
+        || (0..recordings.len()).flat_map(|later| (0..later).map(move |earlier| [earlier, later]));
+    let rows = pairs().map(|pair| {
+        pair.map(|k| recordings[k].rows())
+            .into_iter()
+            .max()
+            .unwrap_or(0)
+    });
+    let places = PLACES.min(MOST_LOOKS / rows.sum::<usize>().max(1));
+    if places == 0 {
+        return Vec::new();
+    }
+    let shared = |[earlier, later]: [usize; 2]| {
+        let [first, second] = repeated(&recordings[earlier], &recordings[later], places)?;
+        Some([(earlier, first), (later, second)])
+    };
+    pairs().filter_map(shared).collect()
+}
+
+/// First rows of a stretch that both have; `None` where they share none at so many places, or nothing moves.
+fn repeated(one: &Recording, other: &Recording, places: usize) -> Option<[usize; 2]> {
     let (long, short) = if one.rows() >= other.rows() {
         (one, other)
     } else {
@@ -22,7 +45,7 @@ pub fn repeated(one: &Recording, other: &Recording) -> Option<[usize; 2]> {
     };
     let last = short.rows().checked_sub(ROWS)?;
     let ranges = ranges(short);
-    let step = (last / PLACES).max(1);
+    let step = last.div_ceil(places).max(1);
     let mut places = (0..=last)
         .step_by(step)
         .filter(|place| moves(short, *place, &ranges));
@@ -116,16 +139,25 @@ mod tests {
     fn a_later_part_saved_anew_is_found_and_a_run_like_it_is_not() {
         let whole = run(1, 0..240, 5);
         let later = run(1, 80..240, 4);
-        assert_eq!(repeated(&whole, &later), Some([80, 0]));
-        assert_eq!(repeated(&later, &whole), Some([0, 80]));
+        assert_eq!(repeated(&whole, &later, PLACES), Some([80, 0]));
+        assert_eq!(repeated(&later, &whole, PLACES), Some([0, 80]));
         // Its end alone: row 200 of the whole is row 100 of the other, which begins with a run of its own.
         let mut joined = run(2, 0..100, 4);
         let end = run(1, 200..240, 4);
         joined.time_s = (0..140).map(f64::from).collect();
         joined.signals = ndarray::concatenate![ndarray::Axis(0), joined.signals, end.signals];
-        let found = repeated(&whole, &joined).expect("they share rows");
+        let found = repeated(&whole, &joined, PLACES).expect("they share rows");
         assert_eq!(found[0] - 200, found[1] - 100);
-        assert_eq!(repeated(&whole, &run(2, 0..240, 4)), None);
-        assert_eq!(repeated(&whole, &run(1, 0..10, 4)), None);
+        assert_eq!(repeated(&whole, &run(2, 0..240, 4), PLACES), None);
+        assert_eq!(repeated(&whole, &run(1, 0..10, 4), PLACES), None);
+    }
+
+    #[test]
+    fn pairs_are_named_and_very_many_recordings_are_not_looked_through() {
+        let runs = [run(1, 0..240, 5), run(2, 0..240, 5), run(1, 80..240, 4)];
+        assert_eq!(repeated_pairs(&runs), [[(0, 80), (2, 0)]]);
+        // 5000 recordings of 40 rows are 12 million pairs.
+        let many = vec![run(1, 0..40, 5); 5000];
+        assert!(repeated_pairs(&many).is_empty());
     }
 }

@@ -9,6 +9,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use documents::own_model::csv_cell;
 use estimation::estimator::Estimator;
 use estimation::live::live_estimates::{Estimated, Live};
+use estimation::live::row_watch::{MOST_TICKS, RATE_ROWS, is_other_rate};
 use estimation::recording::csv_recording::{
     CycleNumbers, RowReader, check_time, header, header_names, read_rows,
 };
@@ -16,12 +17,6 @@ use estimation::recording::dialect::usual;
 use estimation::recording::recording_fault::{FaultList, RecordingFault};
 use estimation::recording::typical_interval;
 use estimation::recording::unloaded;
-use estimation::rows::RATE_FACTOR;
-
-/// Rows whose typical interval tells a recording's rate.
-const RATE_ROWS: usize = 50;
-/// Most ticks of a clock between two estimates: ten minutes of a fast rig.
-const MOST_TICKS: f64 = 1e6;
 
 /// Reads lines of a recording and gives lines of estimates.
 #[derive(Debug)]
@@ -168,8 +163,7 @@ impl<'e> EstimatedLines<'e> {
         }
         let found = typical_interval(&self.intervals).unwrap_or_default();
         let (least, greatest) = self.estimator.interval_s;
-        let other = found * RATE_FACTOR < least || found > greatest * RATE_FACTOR;
-        if other && self.estimator.stream.rate_hz.is_none() {
+        if is_other_rate(found, (least, greatest)) && self.estimator.stream.rate_hz.is_none() {
             let mut faults = FaultList::of(&self.file);
             let detail = format!(
                 "has {:.4} rows a second; the model was learnt from {:.4} to {:.4}: another rate needs a model of its own, or a recipe with rate_hz",

@@ -12,7 +12,7 @@ use estimation::recording::csv_recording::{MOST_COLUMNS, header, read, rows_belo
 use estimation::recording::dialect::usual;
 use estimation::recording::named_columns::NamedColumns;
 use estimation::recording::recording_fault::RecordingFault;
-use estimation::recording::repeated_rows::repeated;
+use estimation::recording::repeated_rows::repeated_pairs;
 use estimation::recording::{PAUSE_INTERVALS, Recording};
 use estimation::rows::{Refusal, Runs};
 use serde::{Deserialize, Serialize};
@@ -100,19 +100,16 @@ pub(crate) fn read_runs(recipe: &Recipe, files: &[NamedText]) -> Result<Runs, Ve
 /// A fault for each pair of recordings that share a stretch of one measurement.
 fn repeated_stretches(recordings: &[Recording]) -> Vec<Fault> {
     let mut faults = Vec::new();
-    for (place, later) in recordings.iter().enumerate() {
-        for earlier in recordings.iter().take(place) {
-            if let Some([first, second]) = repeated(earlier, later) {
-                let detail = format!(
-                    "{} repeats {}: its row {} on is row {} on there, so that neither is a run that the other leaves out; give one of them",
-                    later.name,
-                    earlier.name,
-                    second + 1,
-                    first + 1
-                );
-                Fault::add(&mut faults, "", detail);
-            }
-        }
+    for [(earlier, first), (later, second)] in repeated_pairs(recordings) {
+        let name = |number: usize| recordings.get(number).map_or("", |run| run.name.as_str());
+        let detail = format!(
+            "{} repeats {}: its row {} on is row {} on there, so that neither is a run that the other leaves out; give one of them",
+            name(later),
+            name(earlier),
+            second + 1,
+            first + 1
+        );
+        Fault::add(&mut faults, "", detail);
     }
     faults
 }

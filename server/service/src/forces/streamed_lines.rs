@@ -33,7 +33,7 @@ pub struct StreamedLines<'e> {
     /// Cells of forces and `outside` for a row without an estimate.
     held: String,
     counts: BTreeMap<RowState, u64>,
-    /// Time of the last row that completed a tick of a clock, s: rows without one wait for signals that are seldom measured.
+    /// Time of the last row that completed a tick of a clock, s; before the first row minus infinity: rows without one wait for signals that are seldom measured.
     ticked_s: f64,
 }
 
@@ -114,7 +114,7 @@ impl<'e> StreamedLines<'e> {
             RowState::ClockReset | RowState::Gap => self.live.restart(),
             _ => {}
         }
-        if state != RowState::Ok {
+        if state != RowState::Ok || self.ticked_s.is_infinite() {
             self.ticked_s = row.time_s;
         }
         let missing = row.signals.iter().position(|signal| signal.is_nan());

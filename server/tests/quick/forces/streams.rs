@@ -4,7 +4,7 @@ use std::io::Write;
 use std::process::Stdio;
 
 use super::{fitted, fitted_with, recording_of};
-use crate::program::{command, text};
+use crate::program::{command, strainsite, text};
 
 const HEADER: &str = "time_s,a,\"b, V\",fz_n";
 const OUT: &str = "time_s,fz_n,fz_n_low,fz_n_high,outside,state,column";
@@ -232,4 +232,27 @@ fn whatever_a_row_is_like_the_stream_goes_on() {
         .filter(|answer| answer.ends_with(",ok,"))
         .count();
     assert!(right > 600, "{told}");
+}
+
+#[test]
+fn signals_of_two_clocks_are_estimated_as_from_a_file() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    fitted_with(folder.path(), "[preprocess]\nrate_hz = 20\n");
+    let mut rows = clean(60);
+    for (row, line) in rows.iter_mut().enumerate() {
+        let mut cells: Vec<&str> = line.split(',').collect();
+        cells[1 + row % 2] = "";
+        *line = cells.join(",");
+    }
+    let (answers, told) = streamed(folder.path(), &joined(&rows));
+    assert_eq!(told, "rows: 60 ok\n");
+    std::fs::write(folder.path().join("two.csv"), joined(&rows)).expect("writes");
+    let file = strainsite(folder.path(), &["force", "apply", "model.json", "two.csv"]);
+    let file: Vec<String> = text(&file.stdout)
+        .lines()
+        .skip(1)
+        .map(|line| format!("{line},ok,"))
+        .collect();
+    assert!(file.len() > 50);
+    assert_eq!(answers, file);
 }
