@@ -47,6 +47,7 @@ pub(crate) fn notes(
     notes.extend(contact_edges(study, plan, cut));
     notes.extend(ties(locations));
     notes.extend(without_mesh_error(scores));
+    notes.extend(volts_without_map(study));
     notes
 }
 
@@ -71,6 +72,17 @@ fn one_direction(study: &Study) -> Option<GradedNote> {
             "Only the {asked} {QUANTITY} is asked for: ranks, layouts and the accuracy go by it. The {other} {QUANTITY} is what the same points give."
         ),
     ))
+}
+
+/// Says what films' signals lack without a map.
+fn volts_without_map(study: &Study) -> Option<GradedNote> {
+    let asked = study.signals.is_some() && study.grid.is_none();
+    asked.then(|| {
+        GradedNote::bearing(
+            Topic::Signals,
+            "Which inputs matter for the volts isn't known without a map: add grid = { circumferential = 61, meridional = 21 } under [candidates].",
+        )
+    })
 }
 
 /// Says that the mesh's part of the errors is missing, where it is.
