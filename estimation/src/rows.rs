@@ -123,16 +123,12 @@ impl Runs {
             refuse("/preprocess/rate_hz", detail);
         }
         for (column, name) in self.names.signals.iter().enumerate() {
-            let mut values = self
-                .runs
-                .iter()
-                .flat_map(|run| run.signals.column(column).to_vec());
-            let first = values.next();
-            if values.all(|x| Some(x) == first) {
+            let runs = self.runs.iter();
+            if has_one_value(runs.flat_map(|run| run.signals.column(column).to_vec())) {
                 refuse(
                     "/columns/signals",
                     format!(
-                        "signal {} is dead: it has one value in all runs; leave it out",
+                        "signal {} is dead: it has one value in all runs; leave it out by not_signals = [{name:?}]",
                         name.escape_debug()
                     ),
                 );
@@ -148,6 +144,16 @@ impl Runs {
             } else if labels < FEWEST_ROWS {
                 let detail = format!(
                     "force {} was measured in {labels} rows; {FEWEST_ROWS} are the fewest to learn from",
+                    name.escape_debug()
+                );
+                refuse("/columns/forces", detail);
+            } else if has_one_value(
+                self.runs
+                    .iter()
+                    .flat_map(|run| run.forces.column(column).to_vec()),
+            ) {
+                let detail = format!(
+                    "force {} has one value in all rows, so that nothing is learnt of it: record it under load, or name the others by forces = [...]",
                     name.escape_debug()
                 );
                 refuse("/columns/forces", detail);
@@ -300,4 +306,10 @@ fn places(runs: &[Recording], recipe: &Recipe) -> Vec<Place> {
         before += most;
     }
     places
+}
+/// Whether all values are the same, those apart that weren't measured.
+fn has_one_value(values: impl Iterator<Item = f64>) -> bool {
+    let mut values = values.filter(|value| value.is_finite());
+    let first = values.next();
+    values.all(|value| Some(value) == first)
 }

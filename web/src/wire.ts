@@ -4564,8 +4564,13 @@ export interface components {
         };
         /** @description Columns that are meant; patterns have `*` and `?`. */
         ColumnsDocument: {
-            /** @description Seconds; `time_s` or else the first column where none is named. */
+            /** @description Time; `time_s` or the like, or else the first column where none is named. */
             time?: string;
+            /**
+             * @description Unit of the time; that of the column's name where none is named, or else seconds. `s`: Seconds. `ms`: Milliseconds. `us`: Microseconds. `ns`: Nanoseconds. `min`: Minutes.
+             * @enum {string}
+             */
+            time_unit?: "s" | "ms" | "us" | "ns" | "min";
             /** @description Signals; all other columns where none are named. */
             signals?: string | string[];
             /** @description Columns that are no signals, whatever the patterns of signals say. */

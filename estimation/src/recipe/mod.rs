@@ -7,6 +7,7 @@
 
 pub(crate) mod column_names;
 mod cycle_rule;
+pub mod time_unit;
 
 use document::fault::Fault;
 use document::fields::{Fields, Range};
@@ -16,6 +17,7 @@ use document::{Choice, Format, Table, Value, parse};
 use serde::{Deserialize, Serialize};
 
 pub use cycle_rule::CycleRule;
+use time_unit::TimeUnit;
 
 const SECONDS: Range = Range::new(1e-6, 1e9, "s");
 const HERTZ: Range = Range::new(1e-6, 1e6, "Hz");
@@ -46,12 +48,15 @@ pub struct Recipe {
 
 /// Columns that are meant; patterns have `*` and `?`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Table)]
-#[table(told = [time, signals, not_signals, forces, "cycle", "pause_s", "threshold_n", "block_s"])]
+#[table(told = [time, time_unit, signals, not_signals, forces, "cycle", "pause_s", "threshold_n", "block_s"])]
 #[serde(deny_unknown_fields)]
 pub struct Columns {
-    /// Seconds; `time_s` or else the first column where none is named.
+    /// Time; `time_s` or the like, or else the first column where none is named.
     #[field(with = column_names::one)]
     pub time: Option<String>,
+    /// Unit of the time; that of the column's name where none is named, or else seconds.
+    #[serde(default)]
+    pub time_unit: Option<TimeUnit>,
     /// Signals; all other columns where none are named.
     #[field(with = column_names::several)]
     pub signals: Option<Vec<String>>,

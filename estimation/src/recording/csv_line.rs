@@ -59,6 +59,11 @@ const LARGEST: f64 = 1e100;
 /// Words for what wasn't measured.
 const NOTHING: [&str; 7] = ["nan", "na", "n/a", "null", "none", "-", "--"];
 
+/// Whether a cell is a number.
+pub(super) fn is_number(cell: &str) -> bool {
+    matches!(number(cell), Ok(Some(_)))
+}
+
 /// The number of a cell; None where it is empty, or says that nothing was measured.
 ///
 /// # Errors

@@ -3,17 +3,16 @@
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
-use std::borrow::Cow;
-use std::collections::HashMap;
-
 use ndarray::Array2;
+use std::borrow::Cow;
 
 use crate::recipe::Columns;
 use crate::recipe::column_names::LONGEST_NAME;
 use crate::recording::Recording;
-use crate::recording::csv_line::{cells, number};
+use crate::recording::csv_line::{cells, is_number, number};
 use crate::recording::named_columns::NamedColumns;
-use crate::recording::recording_fault::{FaultList, RecordingFault};
+use crate::recording::recording_fault::{FaultKind, FaultList, RecordingFault};
+use crate::recording::row_reader::{Row, RowReader};
 
 /// Most columns of a file.
 pub const MOST_COLUMNS: usize = 4096;
@@ -60,6 +59,11 @@ pub fn header_names(line: &str, faults: &mut FaultList) -> Vec<String> {
         );
         return names;
     }
+    if names.iter().all(|name| is_number(name)) {
+        let detail = "is a row of numbers: write a line above it that names the columns, as time_s,s1,s2,fz_n";
+        faults.add(Some(1), None, detail);
+        return names;
+    }
     let mut seen = std::collections::HashSet::new();
     for (at, name) in names.iter().enumerate() {
         let what = match name.chars().count() {
@@ -85,98 +89,6 @@ fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
     let text = text.trim_start_matches('\u{feff}');
     let numbered = text.lines().enumerate().map(|(at, line)| (at + 1, line));
     numbered.filter(|(_, line)| !line.trim().is_empty())
-}
-
-/// Reader of rows: where their columns are.
-#[derive(Debug, Clone)]
-pub struct RowReader {
-    names: NamedColumns,
-    width: usize,
-    time: usize,
-    signals: Vec<usize>,
-    /// Columns of the forces; None where the file lacks the force.
-    forces: Vec<Option<usize>>,
-    cycle: Option<usize>,
-    /// Whether a signal may be empty: it is then interpolated.
-    gaps: bool,
-}
-
-/// A row, as it stands in the file.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Row {
-    /// s
-    pub time_s: f64,
-    /// NaN where not measured.
-    pub signals: Vec<f64>,
-    /// N; NaN where not measured.
-    pub forces: Vec<f64>,
-    /// Entry in the column of cycles.
-    pub cycle: Option<String>,
-}
-
-impl RowReader {
-    /// A reader for files with this header. The time and all signals must be in it; None otherwise. `gaps` lets signals be empty.
-    pub fn new(names: &NamedColumns, header: &[String], gaps: bool) -> Option<Self> {
-        let places: HashMap<&String, usize> = header.iter().zip(0..).collect();
-        let place = |name: &String| places.get(name).copied();
-        Some(Self {
-            width: header.len(),
-            time: place(&names.time)?,
-            signals: names.signals.iter().map(place).collect::<Option<_>>()?,
-            forces: names.forces.iter().map(place).collect(),
-            cycle: names.cycle.as_ref().and_then(place),
-            names: names.clone(),
-            gaps,
-        })
-    }
-
-    /// The time of a line that may be faulty; None where it can't be told.
-    pub fn time_s(&self, line: &str) -> Option<f64> {
-        let cells = cells(line, self.width).ok()?;
-        number(cells.get(self.time)?).ok()?
-    }
-
-    /// Reads one line; None after a fault.
-    pub fn row(&self, line_number: usize, line: &str, faults: &mut FaultList) -> Option<Row> {
-        let cells = match cells(line, self.width) {
-            Ok(cells) if cells.len() == self.width => cells,
-            other => {
-                let count = other.map_or_else(|count| count, |cells| cells.len());
-                let detail = format!("has {count} cells; the header has {}", self.width);
-                faults.add(Some(line_number), None, detail);
-                return None;
-            }
-        };
-        let cell = |at: usize| cells.get(at).map_or("", |cell| &**cell);
-        let mut whole = true;
-        let mut read = |at: usize, name: &str, may_be_empty: bool| {
-            let found = number(cell(at)).and_then(|x| match x {
-                None if !may_be_empty => Err("is empty; each row has a number here (with [preprocess] rate_hz, signals may be empty and are interpolated)".to_owned()),
-                x => Ok(x.unwrap_or(f64::NAN)),
-            });
-            found.unwrap_or_else(|detail| {
-                faults.add(Some(line_number), Some(name), detail);
-                whole = false;
-                f64::NAN
-            })
-        };
-        let time_s = read(self.time, &self.names.time, false);
-        let signals = self.signals.iter().zip(&self.names.signals);
-        let signals = signals
-            .map(|(at, name)| read(*at, name, self.gaps))
-            .collect();
-        let forces = self.forces.iter().zip(&self.names.forces);
-        let forces = forces
-            .map(|(at, name)| at.map_or(f64::NAN, |at| read(at, name, true)))
-            .collect();
-        let cycle = self.cycle.map(|at| cell(at).to_owned());
-        whole.then_some(Row {
-            time_s,
-            signals,
-            forces,
-            cycle,
-        })
-    }
 }
 
 /// Reads a whole file, whose columns were found by [`NamedColumns::find`]. `gaps` lets signals be empty.
@@ -247,6 +159,13 @@ fn rows(
     faults.or(|| rows.recording(&file, names))
 }
 
+/// The number in the first row's column of time, as it stands; `None` of a date or a clock's time, or where there is none.
+pub fn first_time(text: &str, header: &[String], names: &NamedColumns) -> Option<f64> {
+    let at = header.iter().position(|name| *name == names.time)?;
+    let (_, line) = lines(text).nth(1)?;
+    number(cells(line, MOST_COLUMNS).ok()?.get(at)?).ok()?
+}
+
 /// Counts the rows below a header, those that are faulty too.
 pub fn rows_below_header(text: &str) -> usize {
     lines(text).skip(1).count()
@@ -264,8 +183,13 @@ pub fn check_time(
     faults: &mut FaultList,
 ) {
     if let Some(before) = before.filter(|before| time_s - before < SHORTEST_S) {
-        let detail = format!("time must rise from row to row; {time_s} follows {before}");
-        faults.add(Some(line), Some(column), detail);
+        let mend = if (time_s - before).abs() < SHORTEST_S {
+            "delete one of the two rows"
+        } else {
+            "sort the rows, or, where the clock began anew, give what follows as a file of its own"
+        };
+        let detail = format!("time must rise from row to row; {time_s} follows {before}: {mend}");
+        faults.add_like(FaultKind::Time, line, Some(column), detail);
     }
 }
 
@@ -331,6 +255,8 @@ mod tests {
             signals: vec!["a".to_owned(), "b".to_owned()],
             forces: vec!["fz".to_owned()],
             cycle: Some("c".to_owned()),
+            time_unit: None,
+            converted: Vec::new(),
         }
     }
 
@@ -363,7 +289,7 @@ mod tests {
         let expected = [
             "r.csv, line 3, column t: time must rise",
             "r.csv, line 4: has 3 cells; the header has 5",
-            "r.csv, line 5, column a: must be a finite number; it is \"x\"",
+            "r.csv, line 5, column a: must be a finite number; it is \"x\"; text is left out by not_signals = [\"a\"]",
             "r.csv, line 5, column b: is empty",
             "r.csv, line 5, column fz: must be a finite number; it is \"inf\"",
             "r.csv, line 6, column a: is empty",
@@ -396,6 +322,20 @@ mod tests {
             missing[0]
         );
         let many = format!("t,a,b,fz,c\n{}", "x\n".repeat(1000));
-        assert_eq!(whole(&many, false).expect_err("many").len(), 51);
+        let alike = whole(&many, false).expect_err("many");
+        assert_eq!(alike.len(), 1);
+        assert!(
+            alike[0]
+                .to_string()
+                .ends_with("(also lines 3, 4, 5, 6 and 995 more)"),
+            "{}",
+            alike[0]
+        );
+        let numbers = header("r.csv", "0.0,1.5\n0.1,2.5\n").expect_err("no names");
+        assert!(
+            numbers[0].detail.contains("is a row of numbers"),
+            "{}",
+            numbers[0]
+        );
     }
 }

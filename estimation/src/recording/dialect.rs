@@ -12,8 +12,8 @@ use crate::recording::csv_recording::MOST_COLUMNS;
 
 /// Rows below a header that show a file's form.
 const SHOWN: usize = 8;
-/// Separators, the usual one first.
-const SEPARATORS: [char; 3] = [',', ';', '\t'];
+/// Separators, the usual one first. Spaces count as one, and only where nothing else separates: names and dates have them, too.
+const SEPARATORS: [char; 4] = [',', ';', '\t', ' '];
 /// Name of a column without one that numbers the rows.
 const INDEX: &str = "index";
 
@@ -156,6 +156,7 @@ fn joined(cells: &[String]) -> String {
 fn split(line: &str, separator: char) -> Vec<String> {
     let (mut cells, mut cell, mut is_quoted) = (Vec::new(), String::new(), false);
     let mut letters = line.chars().peekable();
+    let is_spaced = separator == ' ';
     while let Some(letter) = letters.next() {
         match letter {
             '"' if is_quoted && letters.peek() == Some(&'"') => {
@@ -163,13 +164,17 @@ fn split(line: &str, separator: char) -> Vec<String> {
                 letters.next();
             }
             '"' => is_quoted = !is_quoted,
+            ' ' if is_spaced && !is_quoted && (cell.is_empty() || letters.peek() == Some(&' ')) => {
+            }
             letter if letter == separator && !is_quoted => {
                 cells.push(std::mem::take(&mut cell).trim().to_owned());
             }
             letter => cell.push(letter),
         }
     }
-    cells.push(cell.trim().to_owned());
+    if !(is_spaced && cell.trim().is_empty()) {
+        cells.push(cell.trim().to_owned());
+    }
     cells
 }
 
@@ -214,6 +219,10 @@ mod tests {
                 "time_s,s1,fz_n\n\"0,0\",\"1,5\",\"2,5\"\n\"0,1\",\"-1,25\",\"3,0\"\n",
             ),
             ("tabs", "time_s\ts1\tfz_n\n0.0\t1.5\t2.5\n0.1\t-1.25\t3.0\n"),
+            (
+                "spaces",
+                "time_s s1 fz_n\n0.0   1.5 2.5\n 0.1 -1.25  3.0 \n",
+            ),
             ("old Macs", "time_s,s1,fz_n\r0.0,1.5,2.5\r0.1,-1.25,3.0"),
             (
                 "a comma more",

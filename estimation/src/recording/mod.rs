@@ -1,22 +1,26 @@
 //! Recordings: signals, and forces where they were measured, over time.
 //!
-//! - `csv_line`: the cells of a line
+//! - `csv_line`: the cells of a line; [`row_reader`]: the rows of lines
 //! - [`dialect`]: files as loggers write them, in the form that is read
 //! - [`named_columns`]: which columns of a file are meant
 //! - [`csv_recording`]: a recording from its text
 //! - [`recording_fault`]: what can be wrong with it
 //! - [`repeated_rows`]: rows that stand in two of them; [`suspect_signals`]: columns that are no sensors
-//! - [`time_unit`]: times that are no seconds
+//! - [`time_column`]: times that are no seconds, `time_text`: dates and clocks; `force_unit`: forces that are no newtons; `unit_of_name`: what a name says of it
 //! - [`unloaded`]: readings without a force
 
 mod csv_line;
 pub mod csv_recording;
 pub mod dialect;
+mod force_unit;
 pub mod named_columns;
 pub mod recording_fault;
 pub mod repeated_rows;
+pub mod row_reader;
 pub mod suspect_signals;
-pub mod time_unit;
+pub mod time_column;
+mod time_text;
+mod unit_of_name;
 pub mod unloaded;
 
 use ndarray::Array2;

@@ -8,9 +8,12 @@ use std::collections::HashSet;
 use serde::{Deserialize, Serialize};
 
 use crate::recipe::column_names::is_pattern;
+use crate::recipe::time_unit::TimeUnit;
 use crate::recipe::{Columns, CycleRule};
 use crate::recording::csv_line::quoted;
+use crate::recording::force_unit::{ForceColumn, column_of, force_of};
 use crate::recording::recording_fault::FaultList;
+use crate::recording::time_column::{is_time, nanoseconds_beside, unit_of};
 
 /// The columns' names, the same for all runs.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -24,12 +27,16 @@ pub struct NamedColumns {
     pub forces: Vec<String>,
     /// Column that tells cycles apart.
     pub cycle: Option<String>,
+    /// Unit of the time, where it isn't seconds.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub time_unit: Option<TimeUnit>,
+    /// Columns of the forces that are in other units than newtons, in the order of the forces; the forces have names in newtons.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub converted: Vec<String>,
 }
 
 /// Name of the column of time where a recipe names none; a file without it has time first.
 const TIME: &str = "time_s";
-/// Further names of the column of time, as [`plain`] makes them.
-const TIMES: [&str; 5] = ["time", "t", "timestamp", "seconds", "sec"];
 /// Forces where a recipe names none, as [`plain`] makes their names; the first patterns that fit a column decide.
 const FORCES: [&[&str]; 7] = [
     &["f?_n"],
@@ -41,6 +48,9 @@ const FORCES: [&[&str]; 7] = [
     &["force"],
 ];
 
+/// Names of forces without their units, as `[N]` and `_kn` are.
+const BASES: [&str; 4] = ["f?", "f", "force_?", "force"];
+
 impl NamedColumns {
     /// Finds the columns in the headers of all runs. A signal by pattern is meant when one file has it; whether a file has all of them, [`Self::check`] tells.
     pub fn find<'h>(columns: &Columns, headers: impl IntoIterator<Item = &'h Vec<String>>) -> Self {
@@ -49,9 +59,7 @@ impl NamedColumns {
             Some(name) => name.clone(),
             None if all.iter().any(|name| name == TIME) => TIME.to_owned(),
             None => {
-                let usual = all
-                    .iter()
-                    .find(|name| TIMES.contains(&plain(name).as_str()));
+                let usual = all.iter().find(|name| is_time(name));
                 usual.or(all.first()).cloned().unwrap_or_default()
             }
         };
@@ -59,15 +67,17 @@ impl NamedColumns {
             CycleRule::Column(name) => Some(name.clone()),
             _ => None,
         };
+        let beside = nanoseconds_beside(&time, &all);
+        let of_time = |name: &String| *name == time || Some(name) == beside;
         let rest: Vec<&String> = all
             .iter()
-            .filter(|name| **name != time && Some(*name) != cycle.as_ref())
+            .filter(|name| !of_time(name) && Some(*name) != cycle.as_ref())
             .collect();
-        let forces = match &columns.forces {
+        let measured = match &columns.forces {
             Some(patterns) => matching(patterns, &rest),
             None => usual_forces(&rest),
         };
-        let taken: HashSet<&String> = forces.iter().collect();
+        let taken: HashSet<&String> = measured.iter().collect();
         let signals: Vec<&String> = rest
             .iter()
             .copied()
@@ -80,12 +90,27 @@ impl NamedColumns {
         let not = columns.not_signals.iter().flatten();
         let is_left = |name: &String| !not.clone().any(|pattern| matches(pattern, name));
         let signals = signals.into_iter().filter(is_left).collect();
+        let unit = columns.time_unit.or_else(|| unit_of(&time));
         Self {
+            time_unit: unit.filter(|unit| *unit != TimeUnit::S),
+            converted: other_units(&measured),
+            forces: in_newtons(&measured),
             time,
             signals,
-            forces,
             cycle,
         }
+    }
+
+    /// A sentence on each column of forces that is converted.
+    pub fn conversions(&self) -> impl Iterator<Item = String> {
+        self.converted.iter().map(|column| {
+            format!(
+                "force {} is column {} times {}, in newtons",
+                force_of(column).escape_debug(),
+                column.escape_debug(),
+                ForceColumn::of(column).newtons
+            )
+        })
     }
 
     /// A fault for each column that a header lacks, and where no column is meant at all.
@@ -110,7 +135,9 @@ impl NamedColumns {
             if faults.is_full() {
                 return;
             }
-            if !there.contains(name) {
+            let is_there = there.contains(name)
+                || self.forces.contains(name) && column_of(name, header).is_some();
+            if !is_there {
                 let detail = format!("is missing; the file has {}", listed(header));
                 faults.add(Some(1), Some(name), detail);
             }
@@ -120,17 +147,15 @@ impl NamedColumns {
     /// Returns those of the columns that a header has, the time apart.
     pub fn among(&self, header: &[String]) -> Self {
         let known: HashSet<&String> = header.iter().collect();
-        let there = |names: &[String]| {
-            names
-                .iter()
-                .filter(|name| known.contains(name))
-                .cloned()
-                .collect()
-        };
+        let signals = self.signals.iter().filter(|name| known.contains(name));
+        let forces = self.forces.iter();
+        let forces = forces.filter(|name| column_of(name, header).is_some());
         Self {
             time: self.time.clone(),
-            signals: there(&self.signals),
-            forces: there(&self.forces),
+            time_unit: self.time_unit,
+            converted: self.converted.clone(),
+            signals: signals.cloned().collect(),
+            forces: forces.cloned().collect(),
             cycle: self.cycle.clone().filter(|name| header.contains(name)),
         }
     }
@@ -148,6 +173,18 @@ impl NamedColumns {
     pub fn check_unlabelled(&self, header: &[String], faults: &mut FaultList) {
         self.unlabelled(header).check_header(header, faults);
     }
+}
+
+/// Names of the forces of these columns, in newtons.
+fn in_newtons(columns: &[String]) -> Vec<String> {
+    let forces: Vec<String> = columns.iter().map(|name| force_of(name)).collect();
+    union(forces.iter())
+}
+
+/// Columns that are in other units.
+fn other_units(columns: &[String]) -> Vec<String> {
+    let others = columns.iter().filter(|name| force_of(name) != **name);
+    others.cloned().collect()
 }
 
 fn nothing(what: &str, asked: &Option<Vec<String>>, header: &[String]) -> String {
@@ -211,6 +248,24 @@ fn usual_forces(names: &[&String]) -> Vec<String> {
         fits.map(|name| (*name).clone()).collect()
     };
     let mut found = FORCES.iter().map(of_pattern);
+    let in_newtons = found.find(|names| !names.is_empty());
+    in_newtons.unwrap_or_else(|| usual_forces_in_other_units(names))
+}
+
+/// Columns with the usual names of forces, in other units than newtons.
+fn usual_forces_in_other_units(names: &[&String]) -> Vec<String> {
+    let others: Vec<(ForceColumn, &String)> = names
+        .iter()
+        .map(|name| (ForceColumn::of(name), *name))
+        .filter(|(column, _)| column.has_unit && !column.is_newtons())
+        .collect();
+    let of_pattern = |pattern: &&str| -> Vec<String> {
+        let fits = others
+            .iter()
+            .filter(|(column, _)| matches(pattern, &column.base));
+        fits.map(|(_, name)| (*name).clone()).collect()
+    };
+    let mut found = BASES.iter().map(of_pattern);
     found.find(|names| !names.is_empty()).unwrap_or_default()
 }
 
@@ -317,14 +372,31 @@ mod tests {
             let found = NamedColumns::find(&Columns::default(), [&header]);
             assert_eq!((found.time.as_str(), found.forces), (time, named(&[force])));
         }
-        // Of other units nothing is guessed.
-        for force in ["Force Z (kN)", "force_g", "load_cell_N"] {
-            let header = named(&["time_s", "s1", force]);
+        // Other units are converted, and the force is called so; what may be none isn't taken.
+        for (column, forces) in [
+            ("Force Z (kN)", named(&["force_z_n"])),
+            ("force_g", named(&["force_n"])),
+            ("load_cell_N", Vec::new()),
+        ] {
+            let header = named(&["time_s", "s1", column]);
+            let found = NamedColumns::find(&Columns::default(), [&header]);
             assert_eq!(
-                NamedColumns::find(&Columns::default(), [&header]).forces,
-                [""; 0]
+                (found.signals.len(), found.forces),
+                (2 - forces.len(), forces)
             );
         }
+        let header = named(&["sec", "nanosec", "s1", "fz_n"]);
+        let found = NamedColumns::find(&Columns::default(), [&header]);
+        assert_eq!(
+            (found.time.as_str(), found.signals),
+            ("sec", named(&["s1"]))
+        );
+        let header = named(&["s1", "time_ms", "fz_n"]);
+        let found = NamedColumns::find(&Columns::default(), [&header]);
+        assert_eq!(
+            (found.time.as_str(), found.time_unit),
+            ("time_ms", Some(TimeUnit::Ms))
+        );
         let header = named(&["t", "s1", "force"]);
         let found = NamedColumns::find(&Columns::default(), [&header]);
         assert_eq!(

@@ -17,7 +17,27 @@ pub struct RecordingFault {
     pub column: Option<String>,
     /// Sentence that says what is wrong and what would be right.
     pub detail: String,
+    /// Further lines with a fault of this kind, in the same column: the first ones.
+    pub further_lines: Vec<usize>,
+    /// Number of further lines that have one.
+    pub further: usize,
 }
+
+/// Kind of a fault that many rows may have.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum FaultKind {
+    /// More or fewer cells than the header.
+    Cells,
+    /// Empty cell.
+    Empty,
+    /// Text, or a number that isn't finite.
+    Number,
+    /// Time that doesn't rise.
+    Time,
+}
+
+/// Further lines that a fault names.
+const MOST_LINES: usize = 4;
 
 impl std::fmt::Display for RecordingFault {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
@@ -28,7 +48,19 @@ impl std::fmt::Display for RecordingFault {
         if let Some(column) = &self.column {
             write!(f, ", column {}", column.escape_debug())?;
         }
-        write!(f, ": {}", self.detail)
+        write!(f, ": {}", self.detail)?;
+        match self.further_lines.as_slice() {
+            [] => Ok(()),
+            lines => {
+                let lines: Vec<String> = lines.iter().map(usize::to_string).collect();
+                let more = match self.further - lines.len() {
+                    0 => String::new(),
+                    more => format!(" and {more} more"),
+                };
+                let word = if self.further == 1 { "line" } else { "lines" };
+                write!(f, " (also {word} {}{more})", lines.join(", "))
+            }
+        }
     }
 }
 
@@ -37,6 +69,8 @@ impl std::fmt::Display for RecordingFault {
 pub struct FaultList {
     file: String,
     faults: Vec<RecordingFault>,
+    /// Kinds of the faults that further rows may have, with their places in the list.
+    kinds: Vec<(FaultKind, usize)>,
 }
 
 impl FaultList {
@@ -45,6 +79,7 @@ impl FaultList {
         Self {
             file: file.to_owned(),
             faults: Vec::new(),
+            kinds: Vec::new(),
         }
     }
 
@@ -69,7 +104,38 @@ impl FaultList {
             line,
             column,
             detail,
+            further_lines: Vec::new(),
+            further: 0,
         });
+    }
+
+    /// Adds a fault of a row, or its line to one of this kind in the same column: a file with one cause has one fault.
+    pub(crate) fn add_like(
+        &mut self,
+        kind: FaultKind,
+        line: usize,
+        column: Option<&str>,
+        detail: impl Into<String>,
+    ) {
+        let faults = &self.faults;
+        let is_like = |(of, at): &&(FaultKind, usize)| {
+            *of == kind
+                && faults
+                    .get(*at)
+                    .is_some_and(|fault| fault.column.as_deref() == column)
+        };
+        let like = self.kinds.iter().find(is_like).map(|(_, at)| *at);
+        if let Some(fault) = like.and_then(|at| self.faults.get_mut(at)) {
+            fault.further += 1;
+            if fault.further_lines.len() < MOST_LINES {
+                fault.further_lines.push(line);
+            }
+            return;
+        }
+        if self.faults.len() < MOST_FAULTS {
+            self.kinds.push((kind, self.faults.len()));
+        }
+        self.add(Some(line), column, detail);
     }
 
     /// The value, if there is no fault.

@@ -122,6 +122,8 @@ mod tests {
             signals: names.iter().map(|name| (*name).to_owned()).collect(),
             forces: vec!["fz_n".to_owned()],
             cycle: None,
+            time_unit: None,
+            converted: Vec::new(),
         };
         let told = suspect_signals(&[run], &columns);
         assert_eq!(told.len(), 4, "{told:?}");

@@ -24,6 +24,8 @@ fn names() -> NamedColumns {
         signals: (1..=4).map(|channel| format!("s{channel}")).collect(),
         forces: vec!["fz_n".to_owned()],
         cycle: None,
+        time_unit: None,
+        converted: Vec::new(),
     }
 }
 

@@ -131,9 +131,9 @@ mod tests {
         let columns = Columns {
             time: Some("time_s".to_owned()),
             signals: Some(vec!["film_*".to_owned()]),
-            not_signals: None,
             forces: Some(vec!["f?_n".to_owned()]),
             cycles: CycleRule::Column("stance".to_owned()),
+            ..Columns::default()
         };
         let header = csv_recording::header("run.csv", &text).expect("a header");
         let names = NamedColumns::find(&columns, [&header]);

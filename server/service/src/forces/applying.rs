@@ -11,10 +11,11 @@ use estimation::estimator::Estimator;
 use estimation::live::live_estimates::{Estimated, Live};
 use estimation::live::row_watch::{MOST_TICKS, RATE_ROWS, is_other_rate};
 use estimation::recording::csv_recording::{
-    CycleNumbers, RowReader, check_time, header, header_names, read_rows,
+    CycleNumbers, check_time, header, header_names, read_rows,
 };
 use estimation::recording::dialect::usual;
 use estimation::recording::recording_fault::{FaultList, RecordingFault};
+use estimation::recording::row_reader::RowReader;
 use estimation::recording::typical_interval;
 use estimation::recording::unloaded;
 

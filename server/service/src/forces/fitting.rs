@@ -11,7 +11,6 @@ use estimation::recipe::{FeatureSet, Kind, Recipe, SplitKind};
 use estimation::recording::Recording;
 use estimation::recording::named_columns::NamedColumns;
 use estimation::recording::suspect_signals::suspect_signals;
-use estimation::recording::time_unit::other_time_unit;
 use estimation::rows::{LabelledRows, Runs, Start};
 use estimation::split::strictest;
 use estimation::validation::{
@@ -286,7 +285,11 @@ fn columns_read(names: &NamedColumns) -> String {
             more => format!("{} and {more} more", shown.join(", ")),
         }
     };
-    let time = names.time.escape_debug();
+    let unit = names
+        .time_unit
+        .map(|unit| format!(" ({}, read as seconds)", unit.in_words()))
+        .unwrap_or_default();
+    let time = format!("{}{unit}", names.time.escape_debug());
     let (signals, forces) = (listed(&names.signals), listed(&names.forces));
     let cycle = names
         .cycle
@@ -300,11 +303,9 @@ fn columns_read(names: &NamedColumns) -> String {
 }
 
 fn more_notes(runs: &Runs, start: Start, recipe: &Recipe) -> Vec<String> {
-    let mut notes: Vec<String> = other_time_unit(&runs.names.time, runs.interval_s.0)
-        .into_iter()
-        .collect();
-    notes.extend(suspect_signals(&runs.runs, &runs.names));
+    let mut notes = suspect_signals(&runs.runs, &runs.names);
     notes.push(columns_read(&runs.names));
+    notes.extend(runs.names.conversions());
     notes.push(
         match start {
             Start::First => "the first reading of each run is taken off its signals",

@@ -8,11 +8,14 @@ use std::collections::HashSet;
 
 use document::fault::Fault;
 use estimation::recipe::Recipe;
-use estimation::recording::csv_recording::{MOST_COLUMNS, header, read, rows_below_header};
+use estimation::recording::csv_recording::{
+    MOST_COLUMNS, first_time, header, read, rows_below_header,
+};
 use estimation::recording::dialect::usual;
 use estimation::recording::named_columns::NamedColumns;
 use estimation::recording::recording_fault::RecordingFault;
 use estimation::recording::repeated_rows::repeated_pairs;
+use estimation::recording::time_column::{doubt, epoch_unit};
 use estimation::recording::{PAUSE_INTERVALS, Recording};
 use estimation::rows::{Refusal, Runs};
 use serde::{Deserialize, Serialize};
@@ -74,7 +77,14 @@ pub(crate) fn read_runs(recipe: &Recipe, files: &[NamedText]) -> Result<Runs, Ve
             columns.len()
         ))]);
     }
-    let names = NamedColumns::find(&recipe.columns, &headers);
+    let mut names = NamedColumns::find(&recipe.columns, &headers);
+    let first_time = usual
+        .iter()
+        .zip(&headers)
+        .find_map(|(text, header)| first_time(text, header, &names));
+    if names.time_unit.is_none() && recipe.columns.time_unit.is_none() {
+        names.time_unit = first_time.and_then(epoch_unit);
+    }
     let gaps = recipe.preprocess.rate_hz.is_some();
     let mut recordings = Vec::new();
     for (name, text) in named() {
@@ -89,6 +99,11 @@ pub(crate) fn read_runs(recipe: &Recipe, files: &[NamedText]) -> Result<Runs, Ve
     let repeated = repeated_stretches(&recordings);
     if !repeated.is_empty() {
         return Err(repeated);
+    }
+    if first_time.is_some()
+        && let Some(refused) = doubtful_time(recipe, &names, &recordings)
+    {
+        return Err(vec![refused]);
     }
     if let Some(refused) = too_many_ticks(recipe, &recordings) {
         return Err(vec![refused]);
@@ -112,6 +127,21 @@ fn repeated_stretches(recordings: &[Recording]) -> Vec<Fault> {
         Fault::add(&mut faults, "", detail);
     }
     faults
+}
+
+/// Numbers of time that may be no seconds, where neither name nor recipe says so.
+fn doubtful_time(recipe: &Recipe, names: &NamedColumns, recordings: &[Recording]) -> Option<Fault> {
+    let columns = &recipe.columns;
+    if names.time_unit.is_some() || columns.time_unit.is_some() {
+        return None;
+    }
+    let is_named = columns.time.is_some();
+    let of_run = |run: &Recording| doubt(&names.time, &run.time_s, run.interval_s()?, is_named);
+    let detail = recordings.iter().find_map(of_run)?;
+    Some(Fault {
+        pointer: "/columns/time".to_owned(),
+        detail,
+    })
 }
 
 /// A clock on which recordings would have more rows than are read: a few rows far apart make any number of them.

@@ -11,8 +11,9 @@ use estimation::live::live_estimates::{Estimated, Live};
 use estimation::live::row_state::RowState;
 use estimation::live::row_watch::RowWatch;
 use estimation::recipe::BadRows;
-use estimation::recording::csv_recording::{CycleNumbers, Row, RowReader};
+use estimation::recording::csv_recording::CycleNumbers;
 use estimation::recording::recording_fault::{FaultList, RecordingFault};
+use estimation::recording::row_reader::{Row, RowReader};
 
 use crate::forces::applying::{Zero, estimates_header, line_of, live_from, row_reader};
 
