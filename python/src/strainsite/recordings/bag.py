@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 _MOST_LISTED = 30
+_SQLITE_HEAD = 100
 _RECOVER = {
     ".mcap": "`mcap recover` writes what is whole of one that was cut off",
     ".db3": "`sqlite3 FILE .recover` writes what is whole of one that was cut off",
@@ -132,21 +133,39 @@ def opened(path: Path, definitions: Mapping[str, str]) -> Iterator[Bag]:
 
 
 def _check(path: Path) -> None:
-    kinds = "a bag is an .mcap file, a .db3 file, or the folder of both with its metadata.yaml"
+    kinds = "a bag is an .mcap file, a .db3 file, or the folder of such files with its metadata.yaml"
     if not path.exists():
         raise BagError(path, [f"isn't there; {kinds}"])
     if path.is_dir():
+        inside = sorted(entry for entry in path.iterdir() if entry.suffix in (".mcap", ".db3"))
         if not (path / "metadata.yaml").exists():
-            inside = sorted(entry.name for entry in path.iterdir() if entry.suffix in (".mcap", ".db3"))
-            other = f", or name one of its files: {', '.join(inside)}" if inside else f"; {kinds}"
+            named = ", ".join(entry.name for entry in inside)
+            other = f", or name one of its files: {named}" if inside else f"; {kinds}"
             raise BagError(path, [f"is a folder without metadata.yaml: `ros2 bag reindex` writes it{other}"])
+        for entry in inside:
+            _check_file(entry)
         return
     if path.suffix == ".bag":
         raise BagError(path, ["is a bag of ROS 1: `rosbags-convert --src FILE --dst FOLDER` makes one of ROS 2 of it"])
     if path.suffix not in _RECOVER:
         raise BagError(path, [f"is no bag by its name; {kinds}"])
-    if not path.stat().st_size:
+    _check_file(path)
+
+
+def _check_file(path: Path) -> None:
+    """Finds what readers of a file don't: messages that it lacks, or that lie beside it."""
+    size = path.stat().st_size
+    if not size:
         raise BagError(path, ["is a file without a byte: nothing was recorded, or nothing was copied"])
+    if path.suffix != ".db3":
+        return
+    with path.open("rb") as file:
+        head = file.read(_SQLITE_HEAD)
+    # The size of a page, where 1 stands for 65536, and how many there are: sqlite reads what is left of a shorter file.
+    page = int.from_bytes(head[16:18]) if head[16:18] != b"\0\1" else 65536
+    whole = page * int.from_bytes(head[28:32])
+    if size < whole:
+        raise BagError(path, [f"can't be read: it has {size} of {whole} bytes; {_RECOVER['.db3']}"])
     log = path.with_name(f"{path.name}-wal")
     if log.exists() and log.stat().st_size:
         close = f"`sqlite3 {path.name} 'PRAGMA wal_checkpoint'` adds them"

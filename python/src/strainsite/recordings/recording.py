@@ -139,8 +139,9 @@ class Recording:
 
     def __repr__(self) -> str:
         """Its size, each topic's clock, the notes, and what a recipe needs."""
-        size = f"{self.time_s.size} rows in {self.time_s[-1]:.6g} s"
-        lines = [f"Recording({str(self.path)!r}: {size}, {len(self.signals)} signals, {len(self.forces)} forces)"]
+        forces = f"forces {', '.join(self.forces)}" if self.forces else "no force"
+        size = f"{self.time_s.size} rows in {self.time_s[-1]:.6g} s, {len(self.signals)} signals, {forces}"
+        lines = [f"Recording({str(self.path)!r}: {size})"]
         for times in self.topics:
             rate = "" if times.rate_hz is None else f" at {times.rate_hz:.4g} Hz"
             lines.append(f"  {times.topic}: {times.rows} messages{rate}, by {times.by}")
