@@ -12,7 +12,8 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from pathlib import Path
 
-# Neither has types.
+# None of them has types throughout.
+mcap_writer: Any = importlib.import_module("mcap.writer")
 rosbag2: Any = importlib.import_module("rosbags.rosbag2")
 typesys: Any = importlib.import_module("rosbags.typesys")
 
@@ -108,6 +109,25 @@ def by_another(path: Path, messages: Sequence[Message]) -> Path:
             writer.write_message(
                 message.topic, schemas[message.type], message.value, message.received_ns, message.received_ns
             )
+    return path
+
+
+def by_channels(path: Path, channels: Sequence[tuple[str, str, str]], messages: Sequence[Message]) -> Path:
+    """A file with several channels for one topic, each a type, the language of its definition, and the definition."""
+    store = typesys.get_typestore(typesys.Stores.ROS2_JAZZY)
+    for name in ("rig_msgs/msg/Cell", FILMS):
+        store.register(typesys.get_types_from_msg(DEFINITIONS[name], name))
+    with path.open("wb") as out:
+        writer = mcap_writer.Writer(out)
+        writer.start("ros2")
+        numbers = [
+            writer.register_channel(messages[0].topic, "cdr", writer.register_schema(kind, language, text.encode()))
+            for kind, language, text in channels
+        ]
+        for at, message in enumerate(messages):
+            data = bytes(store.serialize_cdr(_made(store, message.type, message.value), message.type))
+            writer.add_message(numbers[at % len(numbers)], message.received_ns, data, message.received_ns)
+        writer.finish()
     return path
 
 

@@ -306,6 +306,45 @@ def test_types_that_a_bag_does_not_define_are_given(tmp_path: Path) -> None:
         from_bag(bag, SIGNALS, FORCES, definitions={FILMS: "float64[[ data"})
 
 
+IDL = {
+    "rig_msgs/msg/Films": """#include "std_msgs/msg/Header.idl"
+#include "rig_msgs/msg/Cell.idl"
+module rig_msgs {
+  module msg {
+    typedef float float__3[3];
+    @verbatim (language="comment", text="Films; see https://rig.example # 1")
+    struct Films {
+      std_msgs::msg::Header header;
+      string name;
+      @unit (value="V")
+      sequence<double> data;
+      float__3 small;
+      sequence<rig_msgs::msg::Cell> cells;
+    };
+  };
+};
+""",
+    "rig_msgs/msg/Cell": "module rig_msgs { module msg { struct Cell { double strain; boolean on; }; }; };\n",
+    "std_msgs/msg/Header": """#include "builtin_interfaces/msg/Time.idl"
+module std_msgs { module msg { struct Header { builtin_interfaces::msg::Time stamp; string frame_id; }; }; };
+""",
+    "builtin_interfaces/msg/Time": """// Seconds, and what is beyond them.
+module builtin_interfaces { module msg { struct Time { int32 sec; uint32 nanosec; }; }; };
+""",
+}
+
+
+def test_two_publishers_and_definitions_in_idl_are_read(tmp_path: Path) -> None:
+    messages = [bags.films(START_NS + at * STEP_NS, [float(at)]) for at in range(4)]
+    rule = "=" * 80 + "\n"
+    text = "".join(f"{rule}IDL: {name}\n{definition}" for name, definition in IDL.items())
+    bag = bags.by_channels(tmp_path / "run.mcap", [(FILMS, "ros2idl", text)] * 2, messages)
+    assert list(from_bag(bag, ["/films.data"]).signals["films_0"]) == [0.0, 1.0, 2.0, 3.0]
+    channels = [(FILMS, "ros2idl", text), (bags.PLAIN, "ros2msg", bags.DEFINITIONS[bags.PLAIN])]
+    with pytest.raises(strainsite.BagError, match=r"/films has messages of 2 types, rig_msgs/msg/Films, std_msgs"):
+        from_bag(bags.by_channels(tmp_path / "two.mcap", channels, messages), ["/films.data"])
+
+
 @pytest.mark.parametrize("writer", ["mcap", "db3", "another"])
 def test_files_that_were_cut_are_told(tmp_path: Path, writer: str) -> None:
     bag = WRITERS[writer](tmp_path / "bag", run(1, 0))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import re
 from collections import defaultdict
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
@@ -203,7 +204,8 @@ def _typestore(connection: Any, definitions: Mapping[str, str]) -> Any:  # noqa:
     parts = [part.partition("\n")[2] for part in text.split(rule)[1:]] if text.startswith(f"{rule}IDL: ") else [text]
     types: dict[str, Any] = {}
     for part in parts:
-        types.update(typesys.get_types_from_idl(part))
+        # Lines of the preprocessor name files that stand here, too; not every release of rosbags reads them.
+        types.update(typesys.get_types_from_idl(re.sub(r"(?m)^[ \t]*#.*$", "", part)))
     store.register(types)
     return store
 

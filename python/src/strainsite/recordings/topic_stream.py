@@ -40,8 +40,8 @@ class TopicStream:
         """Takes the next message."""
         if self.fault is not None:
             return
-        self._received_ns.append(received_ns)
         try:
+            self._received_ns.append(received_ns)
             message = self.topic.read(data)
         except Exception as error:  # noqa: BLE001 - bytes that aren't what the type says fail in many ways
             place = f"message {len(self._received_ns)} of {self.topic.name}"
