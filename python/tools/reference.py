@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import dataclasses
 import inspect
+import operator
 import re
 import textwrap
 
@@ -41,6 +42,9 @@ GROUPS = {
         "ModelReport",
         "SplitReport",
         "LeftOutRows",
+        "recordings.from_bag",
+        "Recording",
+        "TopicTimes",
     ],
     "Models of your own": ["analyse", "Sensitivity", "ModelOutput"],
     "Errors": [
@@ -60,7 +64,7 @@ def main() -> None:
     for title, names in GROUPS.items():
         print(f"\n## {title}")
         for name in names:
-            describe(name, getattr(strainsite, name))
+            describe(name, operator.attrgetter(name)(strainsite))
 
 
 def describe(name: str, thing: object) -> None:

@@ -9,6 +9,7 @@ with strainsite.local() as client:
 
 from typing import TYPE_CHECKING
 
+from . import recordings as recordings
 from .answers._generated import *  # noqa: F403 - all that answers consist of
 from .answers.comparison import Comparison as Comparison
 from .answers.maps import StrainMap as StrainMap
@@ -16,6 +17,7 @@ from .answers.result import Result as Result
 from .answers.skins import Surface as Surface
 from .client import Client as Client
 from .errors import AnswerError as AnswerError
+from .errors import BagError as BagError
 from .errors import Busy as Busy
 from .errors import DocumentError as DocumentError
 from .errors import Fault as Fault
@@ -38,6 +40,8 @@ from .forces.report import ForceReport as ForceReport
 from .local import local as local
 from .own.analyse import analyse as analyse
 from .own.sensitivity import Sensitivity as Sensitivity
+from .recordings.recording import Recording as Recording
+from .recordings.stamps import TopicTimes as TopicTimes
 from .study import Study as Study
 from .sweep import Sweep as Sweep
 

@@ -292,8 +292,9 @@ class Client:
         """Learns forces from recorded signals, and how far estimates of them are off.
 
         Args:
-            runs: Recordings, each of a run: CSV files, their texts or pandas frames, with seconds, signals and the
-                forces that were measured. In a mapping texts and frames have the names of its keys.
+            runs: Recordings, each of a run: CSV files, their texts, pandas frames or what `recordings.from_bag` reads,
+                with seconds, signals and the forces that were measured. In a mapping all but files have the names of
+                its keys.
             recipe: Which columns, features and models: a TOML or JSON file, its text, or a mapping; all defaults
                 when left out.
             name: Its name in lists.

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    import os
+    from collections.abc import Mapping, Sequence
 
 
 class StrainsiteError(Exception):
@@ -15,6 +16,28 @@ class StrainsiteError(Exception):
 
 class DocumentError(StrainsiteError):
     """A study document that can't be read, or an override that doesn't fit into it; nothing was sent."""
+
+
+class BagError(StrainsiteError):
+    """A bag that no recording can be made of; its text lists every fault.
+
+    Attributes:
+        path: The bag.
+        faults: Each with what is wrong, where, and what would be right.
+
+    """
+
+    def __init__(self, path: str | os.PathLike[str], faults: Sequence[str]) -> None:
+        self.path = path
+        self.faults = tuple(faults)
+        # What it is made of, so that it can be sent to another process.
+        super().__init__(path, self.faults)
+
+    def __str__(self) -> str:
+        """The fault, or every one on a line of its own."""
+        if len(self.faults) == 1:
+            return f"{self.path}: {self.faults[0]}"
+        return "\n".join([f"{self.path} has {len(self.faults)} faults", *(f"  {fault}" for fault in self.faults)])
 
 
 class ServerLost(StrainsiteError):

@@ -10,7 +10,7 @@ from strainsite.errors import StrainsiteError
 
 if TYPE_CHECKING:
     import os
-    from collections.abc import Mapping
+    from collections.abc import Iterable, Mapping
 
     from .transport import Transport
 
@@ -35,13 +35,13 @@ def download(
     return target
 
 
-def write_whole(path: Path, content: bytes) -> None:
-    """All of a file or nothing, so that no half of one is taken for the whole."""
+def write_whole(path: Path, content: bytes | Iterable[bytes]) -> None:
+    """All of a file, in one piece or in several, or nothing, so that no half of one is taken for the whole."""
     part = path.with_name(f".{path.name}.part")
     try:
         part.unlink(missing_ok=True)
         with part.open("xb") as out:  # A link of that name isn't followed.
-            out.write(content)
+            out.writelines([content] if isinstance(content, bytes) else content)
         part.replace(path)
     except OSError as error:
         part.unlink(missing_ok=True)

@@ -105,8 +105,9 @@ class Estimator(Entry[EstimatorSummary]):
         them, then `outside`: 1 where a signal is beyond those that were learnt from.
 
         Args:
-            run: A CSV file, its text or a pandas frame, with the signals of the recordings that were learnt from.
-            name: What messages call a text or a frame.
+            run: A CSV file, its text, a pandas frame or what `recordings.from_bag` reads, with the signals of the
+                recordings that were learnt from.
+            name: What messages call all but a file.
 
         Raises:
             DocumentError: A file can't be read.

@@ -21,6 +21,16 @@ def pyplot() -> Any:  # noqa: ANN401 - a module, typed where it is used
     return _needed("matplotlib.pyplot", "plot")
 
 
+def rosbag2() -> Any:  # noqa: ANN401 - a module without types
+    """The module rosbags.rosbag2."""
+    return _needed("rosbags.rosbag2", "bags")
+
+
+def typesys() -> Any:  # noqa: ANN401 - a module without types
+    """The module rosbags.typesys."""
+    return _needed("rosbags.typesys", "bags")
+
+
 def _needed(name: str, extra: str) -> ModuleType:
     try:
         return importlib.import_module(name)

@@ -9,7 +9,9 @@ from .extras import pandas
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
+    import numpy as np
     import pandas as pd
+    from numpy.typing import NDArray
 
 
 def frame(rows: Sequence[Mapping[str, object]], origin: Mapping[str, object] | None = None) -> pd.DataFrame:
@@ -20,5 +22,12 @@ def frame(rows: Sequence[Mapping[str, object]], origin: Mapping[str, object] | N
     table: pd.DataFrame = pandas().DataFrame(rows)
     empty = [name for name in table.columns if table[name].isna().all()]
     table = table.astype(dict.fromkeys(empty, "float64"))
+    table.attrs.update(origin or {})
+    return table
+
+
+def columns(values: Mapping[str, NDArray[np.float64]], origin: Mapping[str, object] | None = None) -> pd.DataFrame:
+    """A frame of columns, which knows where it comes from, in `attrs`."""
+    table: pd.DataFrame = pandas().DataFrame(dict(values))
     table.attrs.update(origin or {})
     return table
