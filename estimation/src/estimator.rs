@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::features::{GROUPS, StreamSettings, columns};
 use crate::interval::factor_by;
 use crate::model::contract::{FitError, Prediction};
-use crate::recipe::{FeatureSet, Recipe, SplitKind};
+use crate::recipe::{FeatureSet, Kind, Recipe, SplitKind};
 use crate::recording::named_columns::NamedColumns;
 use crate::rows::{LabelledRows, Runs, Start};
 use crate::validation::{Judged, LearntModel};
@@ -185,14 +185,28 @@ impl ForceModel {
     ) -> Result<Self, FitError> {
         let members = judged.members.iter();
         let learnt = members.map(|member| LearntModel::whole(*member, rows, recipe));
-        Ok(Self::of(learnt.collect::<Result<_, _>>()?, judged, by))
+        Ok(Self::of(
+            learnt.collect::<Result<_, _>>()?,
+            judged,
+            by,
+            rows,
+        ))
     }
 
     /// Members that were learnt, with intervals as wide as their left-out rows ask for.
-    pub fn of(members: Vec<LearntModel>, judged: &Judged, by: SplitKind) -> Self {
+    pub fn of(
+        members: Vec<LearntModel>,
+        judged: &Judged,
+        by: SplitKind,
+        rows: &LabelledRows,
+    ) -> Self {
+        let sharper = match members.as_slice() {
+            [line] if line.candidate().kind == Kind::Ridge => sharper(line, judged, by, rows),
+            _ => 1.0,
+        };
         Self {
             members,
-            factor: interval_factor(judged, by),
+            factor: sharper * interval_factor(judged, by),
         }
     }
 
@@ -219,6 +233,23 @@ fn interval_factor(judged: &Judged, by: SplitKind) -> f64 {
     };
     let found = factor_by(by, judged.left_out(by)).map(|factor| factor * widened);
     found.unwrap_or(f64::MIN_POSITIVE)
+}
+
+/// By how much the deviations of a line's folds are larger than its own at the same rows: intervals stay as wide as they were tested. A line from one run takes what
+/// tells runs apart for unknown; one from several may not. Processes know the rows that they learnt from, so that theirs can't be compared.
+fn sharper(line: &LearntModel, judged: &Judged, by: SplitKind, rows: &LabelledRows) -> f64 {
+    let (mut of_folds, mut own) = (0.0, 0.0);
+    for row in judged.left_out(by) {
+        let features = rows.features.row(row.row).to_vec();
+        of_folds += row.deviation.powi(2);
+        own += line.predict(&features).deviation.powi(2);
+    }
+    let found = f64::sqrt(of_folds / own);
+    if found.is_finite() && found > 0.0 {
+        found
+    } else {
+        1.0
+    }
 }
 
 fn another_run(judged: &Judged, by: SplitKind) -> f64 {
@@ -321,7 +352,7 @@ fn is_beyond(x: f64, (low, high): (f64, f64), margin: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::interval::{LeftOut, factor};
+    use crate::interval::LeftOut;
     use crate::recipe::{FeatureSet, Kind};
     use crate::validation::{Candidate, Outcome, SplitFigures, Tested};
 
@@ -369,6 +400,9 @@ mod tests {
         for (found, widened) in found.into_iter().zip([1.5, 6.0 / 5.0, 1.0, 1.0]) {
             assert!((found - 19.0 * widened).abs() < 1e-12, "{found}");
         }
-        assert_eq!(Some(of(1.0, SplitKind::Run)), factor(&left_out));
+        assert_eq!(
+            Some(of(1.0, SplitKind::Run)),
+            factor_by(SplitKind::Run, &left_out)
+        );
     }
 }

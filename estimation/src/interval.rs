@@ -10,6 +10,7 @@ use std::collections::BTreeMap;
 use crate::error_metrics::order_statistics::covering_quantile;
 use crate::error_metrics::{PROMISE, interval_score};
 use crate::recipe::SplitKind;
+use crate::run_spread::{next_run, residuals_of_runs};
 
 /// Prediction of a row that the model hadn't learnt from.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,7 +39,7 @@ const USUAL_WEIGHT: usize = 2;
 /// Factor on the deviation by what was left out; none of no rows. Runs differ, and few are seen; cycles are many, and a run has all sorts of them.
 pub(crate) fn factor_by(kind: SplitKind, left_out: &[LeftOut]) -> Option<f64> {
     match kind {
-        SplitKind::Run => factor(left_out),
+        SplitKind::Run => factor_of_runs(left_out),
         _ => factor_of_rows(left_out),
     }
 }
@@ -58,6 +59,17 @@ pub fn factor(left_out: &[LeftOut]) -> Option<f64> {
     // Groups of few rows have small factors by chance; all rows together don't.
     let found = of_groups.max(factor_of_rows(left_out)?);
     found.is_finite().then_some(found)
+}
+
+/// Factor by runs, which may differ by their zeros and gains: then they tell less of another than their factors' spread does.
+fn factor_of_runs(left_out: &[LeftOut]) -> Option<f64> {
+    let of_absolutes = |residuals: &[f64]| of_ratios(residuals.iter().map(|x| x.abs()).collect());
+    let sizes: Vec<(f64, f64)> = residuals_of_runs(left_out, |row| row.deviation)
+        .iter()
+        .map(|run| (of_absolutes(&run.whole), of_absolutes(&run.within)))
+        .collect();
+    let by_spread = factor(left_out)?;
+    Some(next_run(&sizes, GROUP_SHARE)?.max(by_spread))
 }
 
 /// Factor on the deviation that holds [`PROMISE`] of all rows, whichever groups they are of; none of no rows.

@@ -12,7 +12,7 @@
 //! - [`rows`]: the rows of all runs, as models learn them
 //! - [`split`]: which rows are learnt from, and which are tested
 //! - [`model`]: mean, ridge, Gaussian process, neural networks
-//! - [`error_metrics`]: how far estimates are off; [`interval`]: how wide intervals must be
+//! - [`error_metrics`]: how far estimates are off; [`interval`]: how wide intervals must be; `run_spread`: what another run may be off by
 //! - [`validation`]: every model and feature set on every split
 //! - [`estimator`]: what was chosen, learnt from all rows, as data; [`live`]: its estimates, row by row
 //! - [`fit_report`]: what the validation found, for people and programs
@@ -29,5 +29,6 @@ pub mod model;
 pub mod recipe;
 pub mod recording;
 pub mod rows;
+mod run_spread;
 pub mod split;
 pub mod validation;

@@ -40,6 +40,8 @@ pub struct Training<'a> {
     pub forces: &'a [f64],
     /// The cycle of each row: what a model leaves out of its own learning, it leaves out by cycles.
     pub cycles: &'a [usize],
+    /// The run of each row.
+    pub runs: &'a [usize],
 }
 
 /// Work that is put into a model.

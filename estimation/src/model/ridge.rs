@@ -1,14 +1,16 @@
 //! Ridge regression: y = m + w (x - c), with the squared weights held short.
 //!
-//! w = (X'X + p n I)^-1 X'y of centred rows. The penalty p is the one whose errors on left-out cycles are least; the root of their mean square is the
-//! deviation of the noise. A new row's deviation has that of the weights in it: s^2 (1 + 1/n + x'(X'X + p n I)^-1 x).
+//! w = (X'X + p n I)^-1 X'y of centred rows. The penalty p is the one whose errors on left-out runs are least, or on left-out cycles of one run; the root of the mean
+//! square of those on left-out cycles, within runs, is the deviation of the noise. A new row's deviation has that of the weights in it: s^2 (1 + 1/n + x'(X'X + p n I)^-1 x).
 
 use faer::linalg::solvers::{DenseSolveCore, Llt, Solve};
 use faer::{Col, Mat, Side};
 use ndarray::{Array1, Array2, Axis};
 use serde::{Deserialize, Serialize};
 
+use crate::interval::LeftOut;
 use crate::model::contract::{FitError, Prediction, Training, check_deviation, check_numbers};
+use crate::run_spread::residuals_of_runs;
 
 /// Folds of left-out cycles that choose the penalty.
 const FOLDS: usize = 5;
@@ -52,19 +54,22 @@ impl Ridge {
     /// # Errors
     /// When no penalty gives a normal matrix with a Cholesky factor.
     pub fn fit(training: &Training<'_>) -> Result<Self, FitError> {
-        let parts = parts(training.cycles);
         let all = Sums::of(training, &(0..training.forces.len()).collect::<Vec<_>>());
-        let rest: Vec<Sums> = parts
-            .iter()
-            .map(|part| all.without(&Sums::of(training, part)))
-            .collect();
+        let cycles = LeftOutParts::of(training, &all, parts(training.cycles));
+        // Weights that tell runs apart are learnt by heart: another run has other gains.
+        let runs = LeftOutParts::of(training, &all, parts(training.runs));
+        let has_runs = training.runs.windows(2).any(|pair| pair[0] != pair[1]);
+        let choosing = if has_runs { &runs } else { &cycles };
         let penalties = PENALTIES.map(|power| 10f64.powf(f64::from(power) / 2.0));
-        let judged = penalties.filter_map(|penalty| {
-            Some((left_out_error(training, &parts, &rest, penalty)?, penalty))
-        });
-        let (error, penalty) = judged
+        let judged =
+            penalties.filter_map(|penalty| Some((choosing.error(training, penalty)?, penalty)));
+        let not_positive = FitError::NotPositive("normal matrix");
+        let (_, penalty) = judged
             .min_by(|a, b| a.0.total_cmp(&b.0))
-            .ok_or(FitError::NotPositive("normal matrix"))?;
+            .ok_or(not_positive)?;
+        let error = cycles
+            .error_within_runs(training, penalty)
+            .ok_or(not_positive)?;
         let line = all
             .line(penalty)
             .ok_or(FitError::NotPositive("normal matrix"))?;
@@ -142,24 +147,63 @@ fn parts(cycles: &[usize]) -> Vec<Vec<usize>> {
         .collect()
 }
 
-/// Root of the mean squared error on rows that a line wasn't learnt from.
-fn left_out_error(
-    training: &Training<'_>,
-    parts: &[Vec<usize>],
-    rest: &[Sums],
-    penalty: f64,
-) -> Option<f64> {
-    let mut squares = 0.0;
-    for (part, sums) in parts.iter().zip(rest) {
-        let line = sums.line(penalty)?;
-        for row in part {
-            let x = training.features.row(*row);
-            let moved = x.iter().zip(&line.centre).zip(line.weights.iter());
-            let estimate = line.mean + moved.map(|((x, c), w)| w * (x - c)).sum::<f64>();
-            squares += (training.forces[*row] - estimate).powi(2);
+/// Parts of the rows, and the sums of all others.
+struct LeftOutParts {
+    parts: Vec<Vec<usize>>,
+    rest: Vec<Sums>,
+}
+
+impl LeftOutParts {
+    fn of(training: &Training<'_>, all: &Sums, parts: Vec<Vec<usize>>) -> Self {
+        let rest = parts.iter();
+        let rest = rest.map(|part| all.without(&Sums::of(training, part)));
+        Self {
+            rest: rest.collect(),
+            parts,
         }
     }
-    Some((squares / training.forces.len().max(1) as f64).sqrt())
+
+    /// What a line said of rows that it wasn't learnt from.
+    fn left_out(&self, training: &Training<'_>, penalty: f64) -> Option<Vec<LeftOut>> {
+        let mut said = Vec::with_capacity(training.forces.len());
+        for (part, sums) in self.parts.iter().zip(&self.rest) {
+            let line = sums.line(penalty)?;
+            for row in part {
+                let x = training.features.row(*row);
+                let moved = x.iter().zip(&line.centre).zip(line.weights.iter());
+                said.push(LeftOut {
+                    row: *row,
+                    group: training.runs[*row],
+                    truth: training.forces[*row],
+                    mean: line.mean + moved.map(|((x, c), w)| w * (x - c)).sum::<f64>(),
+                    deviation: 1.0,
+                });
+            }
+        }
+        Some(said)
+    }
+
+    /// Root of the mean squared error on rows that a line wasn't learnt from.
+    fn error(&self, training: &Training<'_>, penalty: f64) -> Option<f64> {
+        let said = self.left_out(training, penalty)?;
+        Some(root_mean_square(
+            said.iter().map(|row| row.truth - row.mean),
+        ))
+    }
+
+    /// The same once each run's own zero and gain are known: a line from one run and one from several then have the same noise.
+    fn error_within_runs(&self, training: &Training<'_>, penalty: f64) -> Option<f64> {
+        let said = self.left_out(training, penalty)?;
+        let runs = residuals_of_runs(&said, |_| 1.0);
+        Some(root_mean_square(
+            runs.into_iter().flat_map(|run| run.within),
+        ))
+    }
+}
+
+fn root_mean_square(numbers: impl Iterator<Item = f64>) -> f64 {
+    let (sum, count) = numbers.fold((0.0, 0.0), |(sum, count), x| (sum + x * x, count + 1.0));
+    (sum / f64::max(count, 1.0)).sqrt()
 }
 
 impl Sums {
@@ -227,6 +271,7 @@ mod tests {
             features: x.view(),
             forces: &y,
             cycles: &cycles,
+            runs: &[0; 40],
         };
         let mut ridge = Ridge::fit(&training).expect("a line");
         // The least penalty, 1e-6, shortens the weights by a part of 1e-6 / 0.5, the variance of a sine.

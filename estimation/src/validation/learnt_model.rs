@@ -49,10 +49,12 @@ impl LearntModel {
         let features = scale.scaled_rows(&features.view());
         let forces: Vec<f64> = train.iter().map(|row| rows.forces[*row]).collect();
         let cycles: Vec<usize> = train.iter().map(|row| rows.places[*row].cycle).collect();
+        let runs: Vec<usize> = train.iter().map(|row| rows.places[*row].run).collect();
         let training = Training {
             features: features.view(),
             forces: &forces,
             cycles: &cycles,
+            runs: &runs,
         };
         Ok(Self {
             features: candidate.features,

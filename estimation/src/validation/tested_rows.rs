@@ -6,6 +6,7 @@ use crate::model::contract::{Effort, FitError, Prediction};
 use crate::model::even_subset::even_subset;
 use crate::recipe::{Recipe, SplitKind};
 use crate::rows::LabelledRows;
+use crate::run_spread::rmse_range;
 use crate::split::{Fold, strictest};
 use crate::validation::another_session::Session;
 use crate::validation::candidate::Candidate;
@@ -19,7 +20,7 @@ pub const MOST_TESTED: usize = 10_000;
 pub struct SplitFigures {
     /// N
     pub rmse: f64,
-    /// 95 % of the bootstrap's samples of cycles, N.
+    /// Range of a new run's RMSE, N; of other splits 95 % of the bootstrap's samples of cycles.
     pub rmse_interval: Option<(f64, f64)>,
     /// RMSE over the range of the tested forces, %.
     pub nrmse_percent: Option<f64>,
@@ -131,7 +132,9 @@ impl Tested {
         let mean_rmse = rmse(&truth, &self.means);
         SplitFigures {
             rmse: error,
-            rmse_interval: rmse_interval(&truth, &estimate, &cycles, seed),
+            rmse_interval: rmse_range(&self.left_out)
+                .filter(|_| kind == SplitKind::Run)
+                .or_else(|| rmse_interval(&truth, &estimate, &cycles, seed)),
             nrmse_percent: nrmse_percent(&truth, error),
             mean_nrmse_percent: nrmse_percent(&truth, mean_rmse),
             mean_rmse,

@@ -259,12 +259,13 @@ fn learnt(
             Piece::Chance(rolled) => said.extend(rolled),
         }
     }
-    let forces = of_forces.into_iter().zip(rankings).zip(splits);
-    let found = forces.filter_map(|(((models, rolled), ranking), splits)| {
+    let forces = of_forces.into_iter().zip(rankings).zip(splits).zip(rows);
+    let found = forces.filter_map(|((((models, rolled), ranking), splits), rows)| {
         // What chance would do is told of all members, or of none.
         let whole = rolled.len() == models.len();
         let chance = rolled_r2(&rolled).filter(|_| whole);
-        Some((ForceModel::of(models, ranking.chosen()?, splits.by), chance))
+        let chosen = ranking.chosen()?;
+        Some((ForceModel::of(models, chosen, splits.by, rows), chance))
     });
     Ok(found.unzip())
 }
