@@ -3,11 +3,12 @@
 use ndarray::Array2;
 use serde::{Deserialize, Serialize};
 
+use crate::error_metrics::interval::factor_by;
 use crate::features::{GROUPS, StreamSettings, columns};
-use crate::interval::factor_by;
 use crate::model::contract::{FitError, Prediction};
 use crate::recipe::{FeatureSet, Kind, Recipe, SplitKind};
 use crate::recording::named_columns::NamedColumns;
+use crate::relations::learnt_relations::Relations;
 use crate::rows::{LabelledRows, Runs, Start};
 use crate::validation::{Judged, LearntModel};
 
@@ -45,6 +46,9 @@ pub struct Estimator {
     /// Least and greatest value of all features that the models read; `None` in models of earlier versions.
     #[serde(default)]
     pub feature_ranges: Option<FeatureRanges>,
+    /// Relations of the signals to each other; `None` where too little tells it, and in models of earlier versions.
+    #[serde(default)]
+    pub relations: Option<Relations>,
     /// Split whose left-out rows the intervals promise to hold: rows of another run, or of other cycles.
     pub promise: SplitKind,
     /// Models, one a force, in the order of the columns.
@@ -235,7 +239,7 @@ fn interval_factor(judged: &Judged, by: SplitKind) -> f64 {
     found.unwrap_or(f64::MIN_POSITIVE)
 }
 
-/// By how much the deviations of a line's folds are larger than its own at the same rows: intervals stay as wide as they were tested. A line from one run takes what
+/// Factor by which the deviations of a line's folds are larger than its own at the same rows: intervals stay as wide as they were tested. A line from one run takes what
 /// tells runs apart for unknown; one from several may not. Processes know the rows that they learnt from, so that theirs can't be compared.
 fn sharper(line: &LearntModel, judged: &Judged, by: SplitKind, rows: &LabelledRows) -> f64 {
     let (mut of_folds, mut own) = (0.0, 0.0);
@@ -310,6 +314,9 @@ impl Estimator {
         {
             return Err("ranges must be finite, low before high".to_owned());
         }
+        if let Some(relations) = &self.relations {
+            relations.check(signals)?;
+        }
         if self.forces.is_empty() || self.forces.len() != self.columns.forces.len() {
             return Err("there must be a model for each force".to_owned());
         }
@@ -352,7 +359,7 @@ fn is_beyond(x: f64, (low, high): (f64, f64), margin: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::interval::LeftOut;
+    use crate::error_metrics::left_out::LeftOut;
     use crate::recipe::{FeatureSet, Kind};
     use crate::validation::{Candidate, Outcome, SplitFigures, Tested};
 

@@ -12,9 +12,10 @@
 //! - [`rows`]: the rows of all runs, as models learn them
 //! - [`split`]: which rows are learnt from, and which are tested
 //! - [`model`]: mean, ridge, Gaussian process, neural networks
-//! - [`error_metrics`]: how far estimates are off; [`interval`]: how wide intervals must be; `run_spread`: what another run may be off by
+//! - [`error_metrics`]: how far estimates are off, how wide intervals must be, what another run may be off by
 //! - [`validation`]: every model and feature set on every split
 //! - [`estimator`]: what was chosen, learnt from all rows, as data; [`live`]: its estimates, row by row
+//! - `relations`: what signals say of each other, so that faulty ones are told
 //! - [`fit_report`]: what the validation found, for people and programs
 
 pub mod align;
@@ -23,12 +24,11 @@ pub mod error_metrics;
 pub mod estimator;
 pub mod features;
 pub mod fit_report;
-pub mod interval;
 pub mod live;
 pub mod model;
 pub mod recipe;
 pub mod recording;
+mod relations;
 pub mod rows;
-mod run_spread;
 pub mod split;
 pub mod validation;

@@ -10,6 +10,7 @@ use crate::recipe::{Kind, Loss, Recipe, SplitKind, StartValue};
 use crate::recording::named_columns::NamedColumns;
 use crate::recording::unloaded::{begins_unloaded, is_first_a_zero, zero};
 use crate::recording::{PAUSE_INTERVALS, Recording};
+use crate::relations::learnt_relations::Relations;
 use crate::split::Place;
 
 /// Fewer cycles than this in all runs tell nothing of what a new one would bring.
@@ -271,6 +272,12 @@ impl Runs {
         let zeros: Vec<Vec<f64>> = self.runs.iter().filter_map(zero).collect();
         let of_signal = |signal: usize| upper_median(zeros.iter().map(|zero| zero[signal]));
         (0..self.names.signals.len()).map(of_signal).collect()
+    }
+
+    /// Returns what the signals say of each other.
+    pub fn relations(&self) -> Option<Relations> {
+        let signals: Vec<&Array2<f64>> = self.runs.iter().map(|run| &run.signals).collect();
+        Relations::learn(&signals)
     }
 
     /// Least and greatest value of each signal, as models are given it: the first group of all features.

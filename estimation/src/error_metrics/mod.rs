@@ -7,7 +7,10 @@
 //! | R2 | 1 - squared errors over squared deviations from the tested forces' mean |
 //! | interval score | width + 2/a times what a truth lies outside of the interval that promises 1 - a (Gneiting and Raftery 2007, eq. 43) |
 
+pub(crate) mod interval;
+pub(crate) mod left_out;
 pub mod order_statistics;
+pub(crate) mod run_spread;
 
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;

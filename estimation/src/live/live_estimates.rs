@@ -3,6 +3,7 @@
 use crate::align::Clock;
 use crate::estimator::{Estimate, Estimator};
 use crate::features::FeatureStream;
+use crate::relations::relation_watch::RelationWatch;
 
 /// Rows of one run, one after another.
 #[derive(Debug)]
@@ -10,6 +11,7 @@ pub struct Live<'e> {
     estimator: &'e Estimator,
     clock: Option<Clock>,
     stream: FeatureStream,
+    watch: Option<RelationWatch<'e>>,
 }
 
 /// Estimates at a time.
@@ -19,8 +21,10 @@ pub struct Estimated {
     pub time_s: f64,
     /// Forces, one a column.
     pub forces: Vec<Estimate>,
-    /// Whether the signals are beyond what was learnt from.
+    /// Whether the signals are beyond what was learnt from, by themselves or by what they say of each other.
     pub outside: bool,
+    /// Number of the signal that the others make unlikely.
+    pub suspect: Option<usize>,
 }
 
 impl Estimated {
@@ -46,12 +50,16 @@ impl<'e> Live<'e> {
                 .rate_hz
                 .map(|rate_hz| Clock::new(rate_hz, stream.pause_s, signals)),
             stream: FeatureStream::new(stream.settings()),
+            watch: estimator.relations.as_ref().map(RelationWatch::new),
         }
     }
 
     /// Begins anew, as after a pause: nothing is carried over. The zero stays.
     pub fn restart(&mut self) {
         self.stream.restart();
+        if let Some(watch) = &mut self.watch {
+            watch.restart();
+        }
         if let Some(clock) = &mut self.clock {
             clock.restart();
         }
@@ -60,6 +68,7 @@ impl<'e> Live<'e> {
     /// Begins anew with the next row as the zero.
     pub fn zero(&mut self) {
         self.restart();
+        self.watch = self.estimator.relations.as_ref().map(RelationWatch::new);
         self.stream.start_at(None, self.estimator.zero.as_ref());
     }
 
@@ -86,10 +95,12 @@ impl<'e> Live<'e> {
     fn estimated(&mut self, time_s: f64, cycle: Option<usize>, signals: &[f64]) -> Estimated {
         let features = self.stream.push(time_s, cycle, signals);
         let forces = self.estimator.forces.iter();
+        let suspect = self.watch.as_mut().and_then(|watch| watch.suspect(signals));
         Estimated {
             time_s,
             forces: forces.map(|force| force.estimate(&features)).collect(),
-            outside: self.estimator.is_outside(&features),
+            outside: self.estimator.is_outside(&features) || suspect.is_some(),
+            suspect,
         }
     }
 }

@@ -8,9 +8,9 @@ use faer::{Col, Mat, Side};
 use ndarray::{Array1, Array2, Axis};
 use serde::{Deserialize, Serialize};
 
-use crate::interval::LeftOut;
+use crate::error_metrics::left_out::LeftOut;
+use crate::error_metrics::run_spread::residuals_of_runs;
 use crate::model::contract::{FitError, Prediction, Training, check_deviation, check_numbers};
-use crate::run_spread::residuals_of_runs;
 
 /// Folds of left-out cycles that choose the penalty.
 const FOLDS: usize = 5;
@@ -163,7 +163,7 @@ impl LeftOutParts {
         }
     }
 
-    /// What a line said of rows that it wasn't learnt from.
+    /// Estimates of rows that a line wasn't learnt from.
     fn left_out(&self, training: &Training<'_>, penalty: f64) -> Option<Vec<LeftOut>> {
         let mut said = Vec::with_capacity(training.forces.len());
         for (part, sums) in self.parts.iter().zip(&self.rest) {
@@ -191,7 +191,7 @@ impl LeftOutParts {
         ))
     }
 
-    /// The same once each run's own zero and gain are known: a line from one run and one from several then have the same noise.
+    /// Error once each run's own zero and gain are known: a line from one run and one from several then have the same noise.
     fn error_within_runs(&self, training: &Training<'_>, penalty: f64) -> Option<f64> {
         let said = self.left_out(training, penalty)?;
         let runs = residuals_of_runs(&said, |_| 1.0);

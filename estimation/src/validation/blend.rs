@@ -87,7 +87,7 @@ mod tests {
     use ndarray::Array2;
 
     use super::*;
-    use crate::interval::LeftOut;
+    use crate::error_metrics::left_out::LeftOut;
     use crate::split::Place;
 
     const ROWS: usize = 8;

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use crate::error_metrics::left_out::LeftOut;
 use crate::error_metrics::r2;
-use crate::interval::LeftOut;
 use crate::recipe::{Recipe, SplitKind};
 use crate::rows::LabelledRows;
 use crate::validation::candidate::Candidate;

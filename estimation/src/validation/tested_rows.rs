@@ -1,12 +1,13 @@
 //! Rows that weren't learnt from: what was said of them, and how far off it was.
 
+use crate::error_metrics::interval::{Fared, factor_by, fared};
+use crate::error_metrics::left_out::LeftOut;
+use crate::error_metrics::run_spread::rmse_range;
 use crate::error_metrics::{nrmse_percent, r2, rmse, rmse_interval};
-use crate::interval::{Fared, LeftOut, factor_by, fared};
 use crate::model::contract::{Effort, FitError, Prediction};
 use crate::model::even_subset::even_subset;
 use crate::recipe::{Recipe, SplitKind};
 use crate::rows::LabelledRows;
-use crate::run_spread::rmse_range;
 use crate::split::{Fold, strictest};
 use crate::validation::another_session::Session;
 use crate::validation::candidate::Candidate;

@@ -84,6 +84,7 @@ fn fitted(recipe: &Recipe, recordings: Vec<Recording>) -> (Estimator, Ranking, R
         interval_s: runs.interval_s,
         ranges: runs.ranges(&features),
         feature_ranges: FeatureRanges::of(&forces, &features),
+        relations: runs.relations(),
         promise: splits.by,
         forces,
         recipe: recipe.clone(),

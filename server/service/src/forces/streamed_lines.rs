@@ -137,9 +137,12 @@ impl<'e> StreamedLines<'e> {
             return self.without_estimate(Some(row.time_s), RowState::NotANumber, &column);
         }
         *self.counts.entry(state).or_default() += 1;
+        let names = &self.estimator.columns.signals;
         let line = |estimated: &Estimated| {
             let line = line_of(estimated);
-            format!("{},{},\n", line.trim_end(), state.as_str())
+            let suspect = estimated.suspect.and_then(|signal| names.get(signal));
+            let column = csv_cell::line(&[suspect.cloned().unwrap_or_default()]);
+            format!("{},{},{column}", line.trim_end(), state.as_str())
         };
         if self.estimator.recipe.preprocess.bad_rows == BadRows::Hold
             && let Some(last) = estimated.last()

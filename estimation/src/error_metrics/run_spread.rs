@@ -1,4 +1,4 @@
-//! What another run may be off by, from what left-out runs were.
+//! Errors that another run may have, from what left-out runs were.
 //!
 //! A left-out run's error has two parts: what is left once its own zero and gain are known, which its rows tell, and what its zero and gain add. Of the second a run is
 //! one draw, however many rows it has: gains that differ between runs make all its rows too large, or too small. With draws that are normal, the square of a new one
@@ -8,14 +8,14 @@ use std::collections::BTreeMap;
 
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
-use crate::interval::LeftOut;
+use crate::error_metrics::left_out::LeftOut;
 
 /// Residuals of one run.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct RunResiduals {
     /// Measured less estimated forces, over each row's unit.
     pub whole: Vec<f64>,
-    /// The same once the run's own zero and gain are taken from its rows, by least squares.
+    /// Residuals once the run's own zero and gain are taken from its rows, by least squares.
     pub within: Vec<f64>,
 }
 

@@ -7,25 +7,11 @@
 
 use std::collections::BTreeMap;
 
+use crate::error_metrics::left_out::LeftOut;
 use crate::error_metrics::order_statistics::covering_quantile;
+use crate::error_metrics::run_spread::{next_run, residuals_of_runs};
 use crate::error_metrics::{PROMISE, interval_score};
 use crate::recipe::SplitKind;
-use crate::run_spread::{next_run, residuals_of_runs};
-
-/// Prediction of a row that the model hadn't learnt from.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LeftOut {
-    /// The row's number among all labelled rows.
-    pub row: usize,
-    /// Group that was left out with it: the number of its run or cycle.
-    pub group: usize,
-    /// The measured force, N.
-    pub truth: f64,
-    /// The estimate, N.
-    pub mean: f64,
-    /// The model's standard deviation, N.
-    pub deviation: f64,
-}
 
 /// Share of groups whose factors the interval's doesn't fall below.
 const GROUP_SHARE: f64 = 0.8;
