@@ -115,13 +115,28 @@ impl NamedColumns {
 
     /// A fault for each column that a header lacks, and where no column is meant at all.
     pub fn check(&self, columns: &Columns, header: &[String], faults: &mut FaultList) {
-        if self.signals.is_empty() {
-            faults.add(Some(1), None, nothing("signals", &columns.signals, header));
-        }
+        self.check_any_signal(columns, header, faults);
         if self.forces.is_empty() {
             faults.add(Some(1), None, nothing("forces", &columns.forces, header));
         }
         self.check_header(header, faults);
+    }
+
+    /// A fault for each column but forces that a header lacks, and where no signal is meant at all.
+    pub(super) fn check_without_forces(
+        &self,
+        columns: &Columns,
+        header: &[String],
+        faults: &mut FaultList,
+    ) {
+        self.check_any_signal(columns, header, faults);
+        self.check_unlabelled(header, faults);
+    }
+
+    fn check_any_signal(&self, columns: &Columns, header: &[String], faults: &mut FaultList) {
+        if self.signals.is_empty() {
+            faults.add(Some(1), None, nothing("signals", &columns.signals, header));
+        }
     }
 
     fn check_header(&self, header: &[String], faults: &mut FaultList) {
