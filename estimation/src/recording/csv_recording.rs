@@ -85,7 +85,7 @@ pub fn header_names(line: &str, faults: &mut FaultList) -> Vec<String> {
 }
 
 /// Lines with their numbers, without those that are blank.
-pub(super) fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
+pub fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
     let text = text.trim_start_matches('\u{feff}');
     let numbered = text.lines().enumerate().map(|(at, line)| (at + 1, line));
     numbered.filter(|(_, line)| !line.trim().is_empty())

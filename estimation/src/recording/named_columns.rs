@@ -165,10 +165,11 @@ impl NamedColumns {
         let signals = self.signals.iter().filter(|name| known.contains(name));
         let forces = self.forces.iter();
         let forces = forces.filter(|name| column_of(name, header).is_some());
+        let converted = self.converted.iter().filter(|name| known.contains(name));
         Self {
             time: self.time.clone(),
             time_unit: self.time_unit,
-            converted: self.converted.clone(),
+            converted: converted.cloned().collect(),
             signals: signals.cloned().collect(),
             forces: forces.cloned().collect(),
             cycle: self.cycle.clone().filter(|name| header.contains(name)),
