@@ -27,6 +27,7 @@ ANSWERS = (
     "EstimatorSummary",
     "EvaluationView",
     "LeftOutRows",
+    "Look",
     "ModelAnalysis",
     "Presets",
     "Preview",

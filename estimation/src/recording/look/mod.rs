@@ -1,4 +1,4 @@
-//! What stands in a recording's columns, before anything is learnt from it.
+//! Figures of a recording's columns, before anything is learnt from it.
 //!
 //! - [`taken_columns`]: what each column is taken for
 //! - [`column_figures`]: range, noise, level without a force and its drift

@@ -1,4 +1,4 @@
-//! What each column of a header is taken for.
+//! Parts of a recording that a header's columns become.
 
 use std::collections::HashMap;
 
@@ -24,8 +24,8 @@ pub enum Part {
     },
     /// Entries that tell cycles apart.
     Cycle,
-    /// Nothing: it is left out.
-    Nothing,
+    /// No part: the column is left out.
+    None,
 }
 
 /// The part that each column of a header becomes, with names that were found among it.
@@ -53,7 +53,7 @@ pub fn taken_columns(names: &NamedColumns, header: &[String]) -> Vec<Part> {
             force.clone()
         } else {
             let signal = signals.get(column);
-            signal.map_or(Part::Nothing, |number| Part::Signal(*number))
+            signal.map_or(Part::None, |number| Part::Signal(*number))
         }
     };
     header.iter().map(part).collect()
@@ -83,7 +83,7 @@ mod tests {
             Part::Cycle,
             Part::Signal(0),
             force,
-            Part::Nothing,
+            Part::None,
             Part::Signal(1),
         ];
         assert_eq!(taken_columns(&names, &header), expected);

@@ -5,7 +5,7 @@ use crate::recording::{PAUSE_INTERVALS, Recording};
 /// Figures of a recording's time.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct TimeFigures {
-    /// From the first row to the last, s.
+    /// Time from the first row to the last, s.
     pub duration_s: f64,
     /// Rows a second; none of one row.
     pub rate_hz: Option<f64>,

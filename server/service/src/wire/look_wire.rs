@@ -1,4 +1,4 @@
-//! What stands in recordings, before anything is learnt from them.
+//! Looks at recordings, before anything is learnt from them.
 
 use document::fault::Fault;
 use serde::{Deserialize, Serialize};
@@ -30,7 +30,7 @@ pub struct Look {
     pub refusals: Vec<Fault>,
 }
 
-/// What stands in one recording.
+/// Recording that was looked at.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct RecordingLook {
     /// Name of the file.
@@ -81,7 +81,7 @@ pub struct GapLook {
     pub length_s: f64,
 }
 
-/// What a column is taken for.
+/// Part of a recording that a column is taken for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Taken {
@@ -91,18 +91,18 @@ pub enum Taken {
     Force,
     /// A signal.
     Signal,
-    /// What tells cycles apart.
+    /// Entries that tell cycles apart.
     Cycle,
-    /// Nothing: it is left out.
+    /// No part: the column is left out.
     Nothing,
 }
 
-/// What stands in one column. Figures of a force are in newtons, those of the time in seconds.
+/// Column that was looked at. Figures of a force are in newtons, those of the time in seconds.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct ColumnLook {
     /// Name of the column in the file.
     pub column: String,
-    /// What it is taken for.
+    /// Part that the column is taken for.
     pub taken: Taken,
     /// Name that estimates give the force; null of other columns.
     pub force: Option<String>,

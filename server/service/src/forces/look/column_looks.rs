@@ -1,4 +1,4 @@
-//! What stands in the columns of one recording.
+//! Columns of one recording: what each is taken for, and what stands in it.
 
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
@@ -15,11 +15,12 @@ use estimation::recording::look::value_bins::value_bins;
 use estimation::recording::named_columns::NamedColumns;
 use estimation::recording::suspect_signals::suspicion;
 
-use crate::forces::look::looking::MOST_NAMED;
 use crate::wire::look_wire::{
     ColumnLook, ColumnSeries, LoneSample, LoneSamples, RecordingSeries, Taken,
 };
 
+/// Gaps, and samples that stand alone, that are named one by one.
+pub(super) const MOST_NAMED: usize = 20;
 /// Lines that a sentence names.
 const MOST_LINES: usize = 4;
 
@@ -36,8 +37,7 @@ impl Looked<'_> {
     /// All columns, and those with numbers over time in so many bins.
     pub fn columns(&self, bins: usize) -> (Vec<ColumnLook>, Option<RecordingSeries>) {
         let parts = taken_columns(self.names, self.header);
-        let is_unread =
-            |part: &Part| matches!(part, Part::Nanoseconds | Part::Cycle | Part::Nothing);
+        let is_unread = |part: &Part| matches!(part, Part::Nanoseconds | Part::Cycle | Part::None);
         let numbered = parts.iter().enumerate();
         let places: Vec<usize> = numbered
             .filter(|(_, part)| is_unread(part))
@@ -71,7 +71,7 @@ impl Looked<'_> {
             Part::Time => Cow::Borrowed(&self.run.time_s),
             Part::Signal(number) => Cow::Owned(self.run.signals.column(*number).to_vec()),
             Part::Force { number, .. } => Cow::Owned(self.run.forces.column(*number).to_vec()),
-            Part::Nanoseconds | Part::Cycle | Part::Nothing => Cow::Borrowed(&unread.values),
+            Part::Nanoseconds | Part::Cycle | Part::None => Cow::Borrowed(&unread.values),
         }
     }
 
@@ -104,7 +104,7 @@ impl Looked<'_> {
                 Part::Signal(_) => Taken::Signal,
                 Part::Force { .. } => Taken::Force,
                 Part::Cycle => Taken::Cycle,
-                Part::Nothing => Taken::Nothing,
+                Part::None => Taken::Nothing,
             },
             force,
             newtons,

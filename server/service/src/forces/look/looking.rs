@@ -13,18 +13,16 @@ use estimation::recording::csv_recording::read_for_look;
 use estimation::recording::look::time_figures::{Gap, TimeFigures, gaps};
 use estimation::recording::look::unread_columns::lines_of_rows;
 
-use crate::forces::look::column_looks::Looked;
+use crate::forces::look::column_looks::{Looked, MOST_NAMED};
 use crate::forces::recorded_texts::{NamedText, add, columned, runs_of, twins};
 use crate::wire::look_wire::{GapLook, GapsLook, Look, RecordingLook};
 
-/// Gaps, and samples that stand alone, that are named one by one.
-pub(super) const MOST_NAMED: usize = 20;
 /// Bins of a column over time.
 const MOST_BINS: usize = 300;
 /// Bins of all columns of all recordings: 40 MB as text.
 const MOST_BINS_IN_ALL: usize = 1 << 20;
 
-/// What is told of the recordings.
+/// Depth of a look.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Depth {
     /// Figures.
@@ -87,7 +85,7 @@ fn of_recording(looked: &Looked<'_>, recipe: &Recipe, most_bins: usize) -> Recor
     let numbers: BTreeSet<usize> = cycles(run, &recipe.columns.cycles).into_iter().collect();
     let mut notes: Vec<String> = looked.names.conversions().collect();
     if looked.names.forces.is_empty() {
-        notes.push("no force was measured: forces can be estimated, and nothing learnt".to_owned());
+        notes.push("no column is a force: forces can be estimated, and nothing learnt; if one is a force, name it by forces = [...] under [columns]".to_owned());
     }
     let bins = most_bins.min(run.rows());
     let (columns, series) = looked.columns(bins);

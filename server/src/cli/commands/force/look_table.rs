@@ -1,4 +1,4 @@
-//! What stands in recordings, for people: what is read at all first, then each recording with its columns.
+//! Columns of recordings, for people: what is read at all first, then each recording with its columns.
 
 use std::fmt::Write as _;
 
@@ -38,7 +38,7 @@ pub(crate) fn look_text(look: &Look) -> String {
     text
 }
 
-/// How many recordings can be read, what of, and how many columns are suspect.
+/// Counts of what can be read, and of what is suspect.
 fn answer(look: &Look) -> String {
     let count = look.recordings.len();
     let Some(first) = look.recordings.first() else {
@@ -63,9 +63,14 @@ fn answer(look: &Look) -> String {
             names => format!("{} ({})", counted(names.len(), "force"), names.join(", ")),
         },
         counted(signals.len(), "signal"),
-        match suspicions {
-            0 => "Nothing looks wrong".to_owned(),
-            count => format!("{} below", counted(count, "suspicion")),
+        match (suspicions, look.refusals.len()) {
+            (0, 0) => "Nothing looks wrong".to_owned(),
+            (count, 0) => format!("{} below", counted(count, "suspicion")),
+            (0, _) => "Nothing is learnt from this, as said below".to_owned(),
+            (count, _) => format!(
+                "{}, and nothing is learnt from this, as said below",
+                counted(count, "suspicion")
+            ),
         }
     );
     wrapped(&text, 0)
@@ -144,11 +149,14 @@ fn columns(columns: &[ColumnLook]) -> String {
     text
 }
 
-/// What a column is taken for; nothing is faint as well.
+/// Words for the part that a column is taken for, with its unit.
 fn taken(column: &ColumnLook) -> String {
     let unit = |unit: &Option<String>| unit.clone().unwrap_or_default();
     let words = match column.taken {
-        Taken::Time => format!("time, {}", short(&unit(&column.time_unit))),
+        Taken::Time => match unit(&column.time_unit).as_str() {
+            "seconds" => "time, s".to_owned(),
+            other => format!("time, {} made s", short(other)),
+        },
         Taken::Force if column.newtons == Some(1.0) => "force, N".to_owned(),
         Taken::Force => "force, made N".to_owned(),
         Taken::Signal => "signal".to_owned(),
@@ -168,7 +176,6 @@ fn short(unit: &str) -> &str {
         "milliseconds" => "ms",
         "microseconds" => "us",
         "nanoseconds" => "ns",
-        "seconds" => "s",
         other => other,
     }
 }
