@@ -67,7 +67,8 @@ pub fn look(recipe: &Recipe, files: &[NamedText], depth: Depth) -> Result<Look, 
     }
     let mut refusals = twins(files);
     // Nothing is learnt from recordings without forces: what learning wants isn't asked of them.
-    if !runs.is_empty()
+    if refusals.is_empty()
+        && !runs.is_empty()
         && let Err(found) = runs_of(recipe, &columned, runs)
     {
         refusals.extend(found);
