@@ -42,7 +42,6 @@ __all__ = [
     "ExpectedAccuracy",
     "FailedNode",
     "FailedPoint",
-    "Fault",
     "FilmAnglesReport",
     "FilmPair",
     "FilmPlace",
@@ -93,6 +92,7 @@ __all__ = [
     "Preview",
     "Question",
     "Reached",
+    "RecordingFault",
     "RecordingFigures",
     "RecordingLook",
     "RecordingSeries",
@@ -752,16 +752,6 @@ class FailedPoint:
     """Input values."""
     cause: str
     """Cause of the failure."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class Fault:
-    """A fault of a document: where it is, and what would be right."""
-
-    pointer: str
-    """JSON pointer (RFC 6901) to the faulty value; empty for the document itself."""
-    detail: str
-    """Sentence that says what is wrong and what would be right."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -1463,9 +1453,9 @@ class Look:
 
     recordings: tuple[RecordingLook, ...]
     """Recordings that can be read, in the order in which they were given."""
-    faults: tuple[Fault, ...]
+    faults: tuple[RecordingFault, ...]
     """Faults of those that can't be, as learning from them tells."""
-    refusals: tuple[Fault, ...]
+    refusals: tuple[RecordingFault, ...]
     """Reasons for which nothing would be learnt from them, though they can be read."""
 
 
@@ -1725,6 +1715,16 @@ class Reached:
     """Station depths of the last equilibrium, mm."""
     load_n: float | None = None
     """Vertical force of the ground at the last equilibrium, N, where it is to press with one."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class RecordingFault:
+    """A fault of a document: where it is, and what would be right."""
+
+    pointer: str
+    """JSON pointer (RFC 6901) to the faulty value; empty for the document itself."""
+    detail: str
+    """Sentence that says what is wrong and what would be right."""
 
 
 @dataclass(frozen=True, kw_only=True)
