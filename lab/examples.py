@@ -153,6 +153,7 @@ def record_analyses(ask):
 
 
 def record_estimators(ask, wait):
+    ask("POST", "/v1/recordings:look", {"recipe": RECIPE, "recordings": RUNS})
     estimator = f"/v1/estimators/{ask('POST', '/v1/estimators', {'name': 'rig, week 47', 'recipe': RECIPE, 'recordings': RUNS})['id']}"
     wait(estimator)
     for part in ("", "/report", "/left-out"):

@@ -27,6 +27,7 @@ ANSWERS = (
     "EstimatorSummary",
     "EvaluationView",
     "LeftOutRows",
+    "Look",
     "ModelAnalysis",
     "Presets",
     "Preview",
@@ -47,6 +48,7 @@ NAMES = {
     "ClaimRow": "Claim",  # an entry of `claims`; the description's own Claim is its words
     "DesignView": "Design",  # an entry of `designs`
     "EvaluationView": "Evaluation",  # an entry of `evaluations`
+    "Fault": "RecordingFault",  # an entry of a look's `faults`; errors have a Fault of their own
     "IndexError": "ErrorParts",  # Python has an IndexError of its own
     "InputReport": "Input",  # an entry of `inputs`
     "ModelSummary": "Model",  # what `model` is

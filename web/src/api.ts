@@ -14,6 +14,7 @@ import type {
   FilmFields,
   FilmPlace,
   LeftOutRows,
+  Look,
   ModelAnalysis,
   Presets,
   Preview,
@@ -221,6 +222,11 @@ export async function leftOut(id: string): Promise<LeftOutRows[]> {
 /** Learns forces from recordings; the same key finds the same estimator again. */
 export function fitForces(document: { name?: string; recipe: unknown; recordings: readonly RecordingFile[] }, idempotencyKey: string): Promise<{ id: string }> {
   return request("POST", "/estimators", document, { "Idempotency-Key": idempotencyKey });
+}
+
+/** What each column of recordings is taken for, and what stands in it. */
+export function lookAt(document: { recipe: unknown; recordings: readonly RecordingFile[] }): Promise<Look> {
+  return request("POST", "/recordings:look", document);
 }
 
 /** The forces of a recording as CSV. */

@@ -197,6 +197,66 @@ export interface components {
              */
             factor: number;
         };
+        /** @description Column that was looked at. Figures of a force are in newtons, those of the time in seconds. */
+        ColumnLook: {
+            /** @description Name of the column in the file. */
+            column: string;
+            /** @description Part that the column is taken for. */
+            taken: components["schemas"]["Taken"];
+            /** @description Name that estimates give the force; null of other columns. */
+            force?: string | null;
+            /**
+             * Format: double
+             * @description Newtons of one of a force's unit; null of other columns.
+             */
+            newtons?: number | null;
+            /** @description Unit of a time in words; null of other columns. */
+            time_unit?: string | null;
+            /** @description Rows with a number. */
+            measured: number;
+            /** @description Empty cells, and words for them. */
+            empty: number;
+            /** @description Cells with text, which are read in columns that are taken for nothing or tell cycles apart. */
+            texts: number;
+            /**
+             * Format: double
+             * @description Least number; null of none.
+             */
+            least?: number | null;
+            /**
+             * Format: double
+             * @description Greatest number; null of none.
+             */
+            greatest?: number | null;
+            /**
+             * Format: double
+             * @description Deviation of the noise: median size of the differences between neighbours, over sqrt(2) 0.6745.
+             */
+            noise?: number | null;
+            /**
+             * Format: double
+             * @description Median where no force acts: where each is below a twentieth of its largest.
+             */
+            unloaded?: number | null;
+            /**
+             * Format: double
+             * @description Median of the last third of the rows without a force less that of the first third; null of fewer than 30 such rows.
+             */
+            drift?: number | null;
+            /** @description Samples that stand alone: away from both neighbours by more than 20 robust deviations of the differences between neighbours. */
+            lone: components["schemas"]["LoneSamples"];
+            /** @description Sentences on what makes the column suspect. */
+            suspicions: string[];
+        };
+        /** @description A column over time. */
+        ColumnSeries: {
+            /** @description Name of the column in the file. */
+            column: string;
+            /** @description Least number of each bin; null where there is none. */
+            least: (number | null)[];
+            /** @description Greatest number of each bin; null where there is none. */
+            greatest: (number | null)[];
+        };
         /** @description Layout by which a study is compared. */
         ComparedAnswer: {
             /** @description Place among the studies, 1 is best. */
@@ -947,6 +1007,29 @@ export interface components {
             /** @description Designs, one by one. */
             designs?: components["schemas"]["DesignDocument"][];
         } & unknown;
+        /** @description Time without a row. */
+        GapLook: {
+            /** @description Line in the file of the row before it. */
+            line: number;
+            /**
+             * Format: double
+             * @description Time of that row, s.
+             */
+            begin_s: number;
+            /**
+             * Format: double
+             * @description Time to the next row, s.
+             */
+            length_s: number;
+        };
+        /** @description Intervals longer than ten typical ones. */
+        GapsLook: {
+            /** @description Count of them. */
+            count: number;
+            longest?: components["schemas"]["GapLook"] | null;
+            /** @description The first 20, in the order of time. */
+            first: components["schemas"]["GapLook"][];
+        };
         /**
          * @description Effect of a note on the answer; gravest first.
          * @enum {string}
@@ -1479,6 +1562,44 @@ export interface components {
         LoginLink: {
             /** @description Path to be opened once, after the service's own address. */
             path: string;
+        };
+        /** @description A sample that stands alone. */
+        LoneSample: {
+            /** @description Line in the file. */
+            line: number;
+            /**
+             * Format: double
+             * @description Time, s.
+             */
+            time_s: number;
+            /**
+             * Format: double
+             * @description Value.
+             */
+            value: number;
+        };
+        /** @description Samples that stand alone. */
+        LoneSamples: {
+            /** @description Count of them. */
+            count: number;
+            /** @description The first 20. */
+            first: components["schemas"]["LoneSample"][];
+        };
+        /** @description Look at recordings: what each column is taken for, and what stands in it. */
+        Look: {
+            /** @description Recordings that can be read, in the order in which they were given. */
+            recordings: components["schemas"]["RecordingLook"][];
+            /** @description Faults of those that can't be, as learning from them tells. */
+            faults: components["schemas"]["Fault"][];
+            /** @description Reasons for which nothing would be learnt from them, though they can be read. */
+            refusals: components["schemas"]["Fault"][];
+        };
+        /** @description Recordings to look at, and how their columns are read. */
+        LookDocument: {
+            /** @description Recipe, as in `strainsite force fit`: its `columns` say what is read, its `preprocess` whether signals may be empty. */
+            recipe?: components["schemas"]["RecipeDocument"];
+            /** @description Recordings, one a run. */
+            recordings: components["schemas"]["RecordingDocument"][];
         };
         /** @description A direction of the map; all lists are rows x columns. */
         MapLayer: {
@@ -2043,6 +2164,50 @@ export interface components {
             rate_hz?: number | null;
             /** @description Hash of its text. */
             sha256: string;
+        };
+        /** @description Recording that was looked at. */
+        RecordingLook: {
+            /** @description Name of the file. */
+            file: string;
+            /** @description Count of its rows. */
+            rows: number;
+            /**
+             * Format: double
+             * @description Time of the first row, s.
+             */
+            begin_s: number;
+            /**
+             * Format: double
+             * @description Time from the first row to the last, s.
+             */
+            duration_s: number;
+            /**
+             * Format: double
+             * @description Rows a second; null of one row.
+             */
+            rate_hz?: number | null;
+            /** @description Intervals longer than ten typical ones. */
+            gaps: components["schemas"]["GapsLook"];
+            /** @description Cycles, by the recipe's rule. */
+            cycles: number;
+            /** @description Rows with at least one force. */
+            labelled: number;
+            /** @description Columns in the order of the file. */
+            columns: components["schemas"]["ColumnLook"][];
+            /** @description Sentences on the recording as a whole: forces that are converted, or that there are none. */
+            notes: string[];
+            /** @description Columns over time, for plots; left out where nobody asked for them. */
+            series?: components["schemas"]["RecordingSeries"];
+        };
+        /** @description Columns of a recording over time, in bins of equal length from its first row to its last. */
+        RecordingSeries: {
+            /**
+             * Format: double
+             * @description Length of a bin, s.
+             */
+            bin_s: number;
+            /** @description Columns with numbers, but for the time. */
+            columns: components["schemas"]["ColumnSeries"][];
         };
         /** @description The report of a fit. */
         Report: {
@@ -2974,6 +3139,11 @@ export interface components {
             error?: components["schemas"]["TableError"] | null;
             films?: components["schemas"]["FilmAnglesReport"] | null;
         };
+        /**
+         * @description Part of a recording that a column is taken for.
+         * @enum {string}
+         */
+        Taken: "time" | "force" | "signal" | "cycle" | "nothing";
         /**
          * @description The part of a result that a note is about.
          * @enum {string}
@@ -4893,6 +5063,8 @@ export type ClaimRow = components['schemas']['ClaimRow'];
 export type Climb = components['schemas']['Climb'];
 export type ClimbRung = components['schemas']['ClimbRung'];
 export type CoarserIndices = components['schemas']['CoarserIndices'];
+export type ColumnLook = components['schemas']['ColumnLook'];
+export type ColumnSeries = components['schemas']['ColumnSeries'];
 export type ComparedAnswer = components['schemas']['ComparedAnswer'];
 export type ComparedFigure = components['schemas']['ComparedFigure'];
 export type ComparedIndex = components['schemas']['ComparedIndex'];
@@ -4946,6 +5118,8 @@ export type Forecast = components['schemas']['Forecast'];
 export type FormMisses = components['schemas']['FormMisses'];
 export type FrontLayout = components['schemas']['FrontLayout'];
 export type FurtherDesignsDocument = components['schemas']['FurtherDesignsDocument'];
+export type GapLook = components['schemas']['GapLook'];
+export type GapsLook = components['schemas']['GapsLook'];
 export type Grade = components['schemas']['Grade'];
 export type GradedNote = components['schemas']['GradedNote'];
 export type HandFilm = components['schemas']['HandFilm'];
@@ -4979,6 +5153,10 @@ export type LocationError = components['schemas']['LocationError'];
 export type LocationStrain = components['schemas']['LocationStrain'];
 export type Locations = components['schemas']['Locations'];
 export type LoginLink = components['schemas']['LoginLink'];
+export type LoneSample = components['schemas']['LoneSample'];
+export type LoneSamples = components['schemas']['LoneSamples'];
+export type Look = components['schemas']['Look'];
+export type LookDocument = components['schemas']['LookDocument'];
 export type MapLayer = components['schemas']['MapLayer'];
 export type MapShape = components['schemas']['MapShape'];
 export type MapView = components['schemas']['MapView'];
@@ -5004,6 +5182,8 @@ export type Readiness = components['schemas']['Readiness'];
 export type RecipeDocument = components['schemas']['RecipeDocument'];
 export type RecordingDocument = components['schemas']['RecordingDocument'];
 export type RecordingFigures = components['schemas']['RecordingFigures'];
+export type RecordingLook = components['schemas']['RecordingLook'];
+export type RecordingSeries = components['schemas']['RecordingSeries'];
 export type Report = components['schemas']['Report'];
 export type RingLoad = components['schemas']['RingLoad'];
 export type Rings = components['schemas']['Rings'];
@@ -5047,6 +5227,7 @@ export type SweepSummary = components['schemas']['SweepSummary'];
 export type Table = components['schemas']['Table'];
 export type TableError = components['schemas']['TableError'];
 export type TableReport = components['schemas']['TableReport'];
+export type Taken = components['schemas']['Taken'];
 export type Topic = components['schemas']['Topic'];
 export type Trade = components['schemas']['Trade'];
 export type TradeAnswer = components['schemas']['TradeAnswer'];

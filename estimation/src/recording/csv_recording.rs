@@ -85,7 +85,7 @@ pub fn header_names(line: &str, faults: &mut FaultList) -> Vec<String> {
 }
 
 /// Lines with their numbers, without those that are blank.
-fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
+pub fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
     let text = text.trim_start_matches('\u{feff}');
     let numbered = text.lines().enumerate().map(|(at, line)| (at + 1, line));
     numbered.filter(|(_, line)| !line.trim().is_empty())
@@ -105,11 +105,41 @@ pub fn read(
     let header = header(file, text)?;
     let mut faults = FaultList::of(file);
     names.check(columns, &header, &mut faults);
+    read_known(text, &header, names, gaps, faults)
+}
+
+/// Reads a whole file as [`read`] does, which may lack every force: one that forces are to be estimated of.
+///
+/// # Errors
+/// Every fault, as of [`read`].
+pub fn read_for_look(
+    file: &str,
+    text: &str,
+    columns: &Columns,
+    names: &NamedColumns,
+    gaps: bool,
+) -> Result<Recording, Vec<RecordingFault>> {
+    let header = header(file, text)?;
+    if !names.among(&header).forces.is_empty() {
+        return read(file, text, columns, names, gaps);
+    }
+    let mut faults = FaultList::of(file);
+    names.check_without_forces(columns, &header, &mut faults);
+    read_known(text, &header, names, gaps, faults)
+}
+
+fn read_known(
+    text: &str,
+    header: &[String],
+    names: &NamedColumns,
+    gaps: bool,
+    faults: FaultList,
+) -> Result<Recording, Vec<RecordingFault>> {
     if faults.is_full() {
         return Err(faults.into_faults());
     }
     // Rows are read without the columns that are missing: all faults are told at once.
-    rows(text, &names.among(&header), &header, gaps, faults)
+    rows(text, &names.among(header), header, gaps, faults)
 }
 
 /// Reads the rows below a header that has all of these columns. `gaps` lets signals be empty.

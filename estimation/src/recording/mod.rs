@@ -7,12 +7,13 @@
 //! - [`recording_fault`]: what can be wrong with it
 //! - [`repeated_rows`]: rows that stand in two of them; [`suspect_signals`]: columns that are no sensors
 //! - [`time_column`]: times that are no seconds, `time_text`: dates and clocks; `force_unit`: forces that are no newtons; `unit_of_name`: what a name says of it
-//! - [`unloaded`]: readings without a force
+//! - [`unloaded`]: readings without a force; [`look`]: what stands in the columns
 
 mod csv_line;
 pub mod csv_recording;
 pub mod dialect;
 mod force_unit;
+pub mod look;
 pub mod named_columns;
 pub mod recording_fault;
 pub mod repeated_rows;

@@ -115,13 +115,28 @@ impl NamedColumns {
 
     /// A fault for each column that a header lacks, and where no column is meant at all.
     pub fn check(&self, columns: &Columns, header: &[String], faults: &mut FaultList) {
-        if self.signals.is_empty() {
-            faults.add(Some(1), None, nothing("signals", &columns.signals, header));
-        }
+        self.check_any_signal(columns, header, faults);
         if self.forces.is_empty() {
             faults.add(Some(1), None, nothing("forces", &columns.forces, header));
         }
         self.check_header(header, faults);
+    }
+
+    /// A fault for each column but forces that a header lacks, and where no signal is meant at all.
+    pub(super) fn check_without_forces(
+        &self,
+        columns: &Columns,
+        header: &[String],
+        faults: &mut FaultList,
+    ) {
+        self.check_any_signal(columns, header, faults);
+        self.check_unlabelled(header, faults);
+    }
+
+    fn check_any_signal(&self, columns: &Columns, header: &[String], faults: &mut FaultList) {
+        if self.signals.is_empty() {
+            faults.add(Some(1), None, nothing("signals", &columns.signals, header));
+        }
     }
 
     fn check_header(&self, header: &[String], faults: &mut FaultList) {
@@ -150,10 +165,11 @@ impl NamedColumns {
         let signals = self.signals.iter().filter(|name| known.contains(name));
         let forces = self.forces.iter();
         let forces = forces.filter(|name| column_of(name, header).is_some());
+        let converted = self.converted.iter().filter(|name| known.contains(name));
         Self {
             time: self.time.clone(),
             time_unit: self.time_unit,
-            converted: self.converted.clone(),
+            converted: converted.cloned().collect(),
             signals: signals.cloned().collect(),
             forces: forces.cloned().collect(),
             cycle: self.cycle.clone().filter(|name| header.contains(name)),

@@ -18,7 +18,8 @@ pub fn suspect_signals(runs: &[Recording], names: &NamedColumns) -> Vec<String> 
         .collect()
 }
 
-fn suspicion(
+/// A sentence about the signal of this number and name, if it is hardly a sensor's.
+pub fn suspicion(
     runs: &[Recording],
     names: &NamedColumns,
     signal: usize,

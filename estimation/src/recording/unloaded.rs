@@ -42,7 +42,7 @@ pub(crate) fn is_first_a_zero(run: &Recording) -> bool {
     begins_unloaded(run) && comes_back(run) && gains(run)
 }
 
-fn unloaded_rows(run: &Recording) -> Vec<usize> {
+pub(super) fn unloaded_rows(run: &Recording) -> Vec<usize> {
     let largest = |forces: ArrayView1<'_, f64>| {
         let known = forces.iter().filter(|force| force.is_finite());
         known.fold(0.0, |most: f64, force| most.max(force.abs()))

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 from urllib.parse import quote
 
 from . import documents
-from .answers._generated import Estimate, EstimatorSummary, Presets, Preview, StudySummary, SweepEstimate
+from .answers._generated import Estimate, EstimatorSummary, Look, Presets, Preview, StudySummary, SweepEstimate
 from .answers.comparison import Comparison
 from .answers.reading import read
 from .connection.download import download
@@ -307,15 +307,26 @@ class Client:
             FitFailed: It ended without a model.
 
         """
-        named = runs.items() if isinstance(runs, Mapping) else [(f"run{k}.csv", run) for k, run in enumerate(runs, 1)]
-        recordings = [recording(run, file) for file, run in named]
-        if not recordings:
-            raise DocumentError("there is nothing to learn from: give at least one recording")
-        body: dict[str, Any] = {"recipe": recipe_of(recipe), "recordings": recordings}
+        body: dict[str, Any] = {"recipe": recipe_of(recipe), "recordings": _recordings(runs)}
         if name is not None:
             body["name"] = name
         estimator = Estimator(self._transport, read(EstimatorSummary, self._submit("/v1/estimators", body, 0, key)))
         return estimator.wait() if wait else estimator
+
+    def look(self, runs: Sequence[Run] | Mapping[str, Run], recipe: Recipe | None = None) -> Look:
+        """What each column of recordings is taken for and what stands in it, before anything is learnt from them.
+
+        Args:
+            runs: Recordings, as for `fit_forces`; forces aren't needed.
+            recipe: As for `fit_forces`: its columns say what is read.
+
+        Raises:
+            DocumentError: Nothing was sent: a file can't be read, or no run is given.
+            InvalidDocument: The recipe has faults, all of which it names. Those of recordings are in the answer.
+
+        """
+        body = {"recipe": recipe_of(recipe), "recordings": _recordings(runs)}
+        return read(Look, self._transport.post("/v1/recordings:look", body))
 
     def estimator(self, id: str) -> Estimator:
         """The estimator of this identifier.
@@ -401,6 +412,14 @@ class Client:
             cursor = page.get("next_cursor")
             if not cursor:
                 return
+
+
+def _recordings(runs: Sequence[Run] | Mapping[str, Run]) -> list[dict[str, str]]:
+    named = runs.items() if isinstance(runs, Mapping) else [(f"run{k}.csv", run) for k, run in enumerate(runs, 1)]
+    recordings = [recording(run, file) for file, run in named]
+    if not recordings:
+        raise DocumentError("there is nothing to learn from: give at least one recording")
+    return recordings
 
 
 def _part(identifier: str) -> str:

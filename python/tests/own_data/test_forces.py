@@ -147,6 +147,23 @@ def test_rows_left_out_are_the_services_and_are_drawn(
         estimator.plot("fy_n")
 
 
+def test_columns_are_looked_at_before_anything_is_learnt(client: Client, runs: list[pd.DataFrame]) -> None:
+    found = client.look({"monday.csv": runs[0], "broken.csv": "time_s,s1,s2,s3,fx_n,fz_n\n0,x,1,2,3,4\n"})
+    (monday,) = found.recordings
+    assert [(column.column, column.taken) for column in monday.columns] == [
+        ("time_s", "time"),
+        *((name, "signal") for name in ("s1", "s2", "s3")),
+        ("fx_n", "force"),
+        ("fz_n", "force"),
+    ]
+    # Noise alone: its deviation within three of a median's of 149 differences.
+    assert monday.columns[3].noise == pytest.approx(0.2, rel=0.35)
+    assert monday.series is not None
+    assert max(value for value in monday.series.columns[-1].greatest if value is not None) == runs[0]["fz_n"].max()
+    (fault,) = found.faults
+    assert fault.detail.startswith("broken.csv, line 2, column s1")
+
+
 def test_files_texts_and_frames_are_the_same_recording(
     client: Client, estimator: Estimator, runs: list[pd.DataFrame], tmp_path: Path
 ) -> None:

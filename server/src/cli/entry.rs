@@ -191,7 +191,8 @@ fn ended(done: Result<(), Failure>, json: Option<JsonTarget>) -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             warn(&failure.painted());
-            if let Some(target) = json.filter(|_| !matches!(failure, Failure::Partial(_)))
+            if let Some(target) =
+                json.filter(|_| !matches!(failure, Failure::Partial(_) | Failure::Told(_)))
                 && let Err(error) = target.write(&failure.document())
             {
                 warn(&error.painted());

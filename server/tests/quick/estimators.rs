@@ -307,3 +307,45 @@ async fn a_fit_goes_on_after_a_restart_and_damage_ends_it() {
     let third = submit(&app, &quick()).await;
     wait_for(&app, &third, "done").await;
 }
+
+#[tokio::test(flavor = "multi_thread")]
+async fn recordings_are_looked_at_before_anything_is_learnt() {
+    let home = Home::new();
+    let app = home.start(ClosedFormSolver::default()).await;
+    let broken = json!({"file": "broken.csv", "text": "time_s,s1,s2,fz_n\n0,1,x,3\n"});
+    let mut all = recordings();
+    all.as_array_mut().expect("a list").push(broken);
+    let document = json!({"recordings": all});
+    let answer = post(&app, "/v1/recordings:look", &document).await;
+    assert_eq!(answer.status(), StatusCode::OK);
+    let found: Value = answer.json().await.expect("JSON");
+    assert_eq!(found["recordings"].as_array().map(Vec::len), Some(2));
+    assert_eq!(found["faults"][0]["pointer"], "/recordings");
+    let detail = found["faults"][0]["detail"].as_str().unwrap_or_default();
+    assert!(
+        detail.starts_with("broken.csv, line 2, column s2"),
+        "{detail}"
+    );
+    let series = &found["recordings"][0]["series"];
+    let columns = series["columns"].as_array().expect("columns");
+    let drawn: Vec<&str> = columns
+        .iter()
+        .filter_map(|each| each["column"].as_str())
+        .collect();
+    assert_eq!(drawn, ["s1", "s2", "fz_n"]);
+    // A bin a row.
+    assert_eq!(columns[2]["least"].as_array().map(Vec::len), Some(150));
+    assert_eq!(columns[2]["least"], columns[2]["greatest"]);
+    for (document, pointer) in [
+        (json!({"name": "rig", "recordings": recordings()}), "/name"),
+        (json!({"recordings": []}), "/recordings"),
+        (
+            json!({"recipe": {"columns": {"time": 1}}, "recordings": recordings()}),
+            "/recipe/columns/time",
+        ),
+    ] {
+        let refused = post(&app, "/v1/recordings:look", &document).await;
+        let refused = problem(refused, StatusCode::UNPROCESSABLE_ENTITY).await;
+        assert_eq!(refused["errors"][0]["pointer"], pointer);
+    }
+}

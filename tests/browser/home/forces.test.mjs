@@ -94,6 +94,28 @@ test("nothing was learnt yet, and a faulty recipe is refused at its place", asyn
   assert.deepEqual(others, []);
 });
 
+test("the columns are looked at before anything is learnt", async () => {
+  await page.getByLabel("TOML or JSON").fill(RECIPE);
+  const broken = { name: "broken.csv", mimeType: "text/csv", buffer: Buffer.from("time_s,s1,s2,s3,fx_n,fz_n\n0,1,x,2,3,4\n") };
+  const marred = recording("marred.csv", 5);
+  const rows = marred.buffer.toString().split("\n");
+  rows[70] = rows[70].replace(/^([^,]*),[^,]*/, "$1,900");
+  await page.locator('.fit-form input[type="file"]').setInputFiles([broken, { ...marred, buffer: Buffer.from(rows.join("\n")) }]);
+  await page.getByText("marred.csv").first().waitFor();
+  await page.getByRole("button", { name: "Look at the columns" }).click();
+  await page.getByText("Not every recording can be read.").waitFor();
+  assert.match(await page.locator(".look > .problem").innerText(), /broken\.csv, line 2, column s2/);
+  const table = page.getByRole("table", { name: "Columns of marred.csv" });
+  assert.deepEqual(await table.locator("tbody tr > :nth-child(2)").allInnerTexts(), ["time, s", "signal suspect", "signal", "signal", "force, N", "force, N"]);
+  await page.getByRole("img", { name: /^s1 over time, .*samples that stand alone: 1$/ }).waitFor();
+  assert.match(await page.locator(".look details .notes").innerText(), /marred\.csv, line 71, column s1: 900 stands alone/);
+  await hold();
+  // An edit takes away what was looked at before.
+  for (const file of ["broken.csv", "marred.csv"]) await page.getByRole("button", { name: `Leave ${file} out` }).click();
+  assert.equal(await page.locator(".look").count(), 0);
+  assert.deepEqual(complaints.splice(0), []);
+});
+
 test("two runs are learnt from: answer, splits, rows left out, and another recording", { timeout: FIT_MS }, async (t) => {
   await page.getByLabel("TOML or JSON").fill(RECIPE);
   await page.getByLabel("Name, the first").fill("rig");

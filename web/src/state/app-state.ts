@@ -13,6 +13,7 @@ import type {
   EstimatorDetail,
   EstimatorSummary,
   LeftOutRows,
+  Look,
   Presets,
   Preview,
   Report,
@@ -167,6 +168,8 @@ export interface ForcesDraft {
   files: RecordingFile[];
   sending: boolean;
   problem: Problem | null;
+  /** What their columns are taken for; null until somebody asks, and after every edit. */
+  look: Loadable<Look> | null;
   /** Renewed with every edit. */
   idempotencyKey: string;
 }
@@ -231,7 +234,7 @@ function emptyDraft(): StudyDraft {
 
 /** Nothing to learn from yet. */
 export function emptyForcesDraft(): ForcesDraft {
-  return { name: "", recipe: "", files: [], sending: false, problem: null, idempotencyKey: newKey() };
+  return { name: "", recipe: "", files: [], sending: false, problem: null, look: null, idempotencyKey: newKey() };
 }
 
 /** A new draft of this document; the reader's choice of form or text stays. */

@@ -17,6 +17,8 @@ __all__ = [
     "Choice",
     "Claim",
     "CoarserIndices",
+    "ColumnLook",
+    "ColumnSeries",
     "ComparedAnswer",
     "ComparedFigure",
     "ComparedIndex",
@@ -52,6 +54,8 @@ __all__ = [
     "Forecast",
     "FormMisses",
     "FrontLayout",
+    "GapLook",
+    "GapsLook",
     "GradedNote",
     "Input",
     "InputShare",
@@ -71,6 +75,9 @@ __all__ = [
     "Location",
     "LocationError",
     "LocationStrain",
+    "LoneSample",
+    "LoneSamples",
+    "Look",
     "MemberReport",
     "MenuFindings",
     "Model",
@@ -85,7 +92,10 @@ __all__ = [
     "Preview",
     "Question",
     "Reached",
+    "RecordingFault",
     "RecordingFigures",
+    "RecordingLook",
+    "RecordingSeries",
     "RingLoad",
     "Rings",
     "SectionNode",
@@ -260,6 +270,56 @@ class CoarserIndices:
     """First-order index of each input."""
     factor: float
     """Error of the finer mesh over its difference from the coarser one."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class ColumnLook:
+    """Column that was looked at. Figures of a force are in newtons, those of the time in seconds."""
+
+    column: str
+    """Name of the column in the file."""
+    taken: str
+    """Part that the column is taken for. One of `time`, `force`, `signal`, `cycle`, `nothing`."""
+    force: str | None = None
+    """Name that estimates give the force; None of other columns."""
+    newtons: float | None = None
+    """Newtons of one of a force's unit; None of other columns."""
+    time_unit: str | None = None
+    """Unit of a time in words; None of other columns."""
+    measured: int
+    """Rows with a number."""
+    empty: int
+    """Empty cells, and words for them."""
+    texts: int
+    """Cells with text, which are read in columns that are taken for nothing or tell cycles apart."""
+    least: float | None = None
+    """Least number; None of none."""
+    greatest: float | None = None
+    """Greatest number; None of none."""
+    noise: float | None = None
+    """Deviation of the noise: median size of the differences between neighbours, over sqrt(2) 0.6745."""
+    unloaded: float | None = None
+    """Median where no force acts: where each is below a twentieth of its largest."""
+    drift: float | None = None
+    """Median of the last third of the rows without a force less that of the first third; None of fewer than 30 such
+    rows."""
+    lone: LoneSamples
+    """Samples that stand alone: away from both neighbours by more than 20 robust deviations of the differences
+    between neighbours."""
+    suspicions: tuple[str, ...]
+    """Sentences on what makes the column suspect."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class ColumnSeries:
+    """A column over time."""
+
+    column: str
+    """Name of the column in the file."""
+    least: tuple[float | None, ...]
+    """Least number of each bin; None where there is none."""
+    greatest: tuple[float | None, ...]
+    """Greatest number of each bin; None where there is none."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -925,6 +985,30 @@ class FrontLayout:
 
 
 @dataclass(frozen=True, kw_only=True)
+class GapLook:
+    """Time without a row."""
+
+    line: int
+    """Line in the file of the row before it."""
+    begin_s: float
+    """Time of that row, s."""
+    length_s: float
+    """Time to the next row, s."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class GapsLook:
+    """Intervals longer than ten typical ones."""
+
+    count: int
+    """Count of them."""
+    longest: GapLook | None = None
+    """The longest one; None where there is none."""
+    first: tuple[GapLook, ...]
+    """The first 20, in the order of time."""
+
+
+@dataclass(frozen=True, kw_only=True)
 class GradedNote:
     """A note with its grade."""
 
@@ -1342,6 +1426,40 @@ class LocationStrain:
 
 
 @dataclass(frozen=True, kw_only=True)
+class LoneSample:
+    """A sample that stands alone."""
+
+    line: int
+    """Line in the file."""
+    time_s: float
+    """Time, s."""
+    value: float
+    """Value."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class LoneSamples:
+    """Samples that stand alone."""
+
+    count: int
+    """Count of them."""
+    first: tuple[LoneSample, ...]
+    """The first 20."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Look:
+    """Look at recordings: what each column is taken for, and what stands in it."""
+
+    recordings: tuple[RecordingLook, ...]
+    """Recordings that can be read, in the order in which they were given."""
+    faults: tuple[RecordingFault, ...]
+    """Faults of those that can't be, as learning from them tells."""
+    refusals: tuple[RecordingFault, ...]
+    """Reasons for which nothing would be learnt from them, though they can be read."""
+
+
+@dataclass(frozen=True, kw_only=True)
 class MemberReport:
     """A model that is part of a blend."""
 
@@ -1600,6 +1718,16 @@ class Reached:
 
 
 @dataclass(frozen=True, kw_only=True)
+class RecordingFault:
+    """A fault of a document: where it is, and what would be right."""
+
+    pointer: str
+    """JSON pointer (RFC 6901) to the faulty value; empty for the document itself."""
+    detail: str
+    """Sentence that says what is wrong and what would be right."""
+
+
+@dataclass(frozen=True, kw_only=True)
 class RecordingFigures:
     """Figures of a recording."""
 
@@ -1615,6 +1743,44 @@ class RecordingFigures:
     """Rows a second, pauses apart."""
     sha256: str
     """Hash of its text."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class RecordingLook:
+    """Recording that was looked at."""
+
+    file: str
+    """Name of the file."""
+    rows: int
+    """Count of its rows."""
+    begin_s: float
+    """Time of the first row, s."""
+    duration_s: float
+    """Time from the first row to the last, s."""
+    rate_hz: float | None = None
+    """Rows a second; None of one row."""
+    gaps: GapsLook
+    """Intervals longer than ten typical ones."""
+    cycles: int
+    """Cycles, by the recipe's rule."""
+    labelled: int
+    """Rows with at least one force."""
+    columns: tuple[ColumnLook, ...]
+    """Columns in the order of the file."""
+    notes: tuple[str, ...]
+    """Sentences on the recording as a whole: forces that are converted, or that there are none."""
+    series: RecordingSeries | None = None
+    """Columns over time, for plots; left out where nobody asked for them."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class RecordingSeries:
+    """Columns of a recording over time, in bins of equal length from its first row to its last."""
+
+    bin_s: float
+    """Length of a bin, s."""
+    columns: tuple[ColumnSeries, ...]
+    """Columns with numbers, but for the time."""
 
 
 @dataclass(frozen=True, kw_only=True)

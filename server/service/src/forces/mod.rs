@@ -1,6 +1,7 @@
 //! Forces from recordings: recipes and recordings of users in, estimators, reports and estimates out.
 //!
 //! - [`recorded_texts`]: recordings from their texts
+//! - [`look`]: what stands in them, before anything is learnt
 //! - [`fit_forecast`]: how long a fit takes; `fit_memory`: how much memory
 //! - [`submission_reader`]: recipe and recordings in one document
 //! - [`fitting`]: learns an estimator on all cores; [`fit_process`]: the same in a process of its own
@@ -17,6 +18,7 @@ pub mod fit_process;
 pub mod fitting;
 pub(crate) mod learning;
 pub(crate) mod learnt_parts;
+pub mod look;
 pub mod model_file;
 pub mod recorded_texts;
 pub mod rig_recording;

@@ -34,61 +34,76 @@ pub struct NamedText {
     pub text: String,
 }
 
-/// Reads recordings as a recipe asks.
+/// Texts in the usual form, and the columns that are meant in all of them.
+pub(crate) struct ColumnedTexts<'t> {
+    /// Texts of the files.
+    pub usual: Vec<Cow<'t, str>>,
+    /// Headers of the files; none of one that has a fault there.
+    pub headers: Vec<Option<Vec<String>>>,
+    /// The columns' names.
+    pub names: NamedColumns,
+    /// Whether times are numbers, and no dates.
+    has_numbers: bool,
+}
+
+/// Finds the columns of recordings as a recipe asks.
 ///
 /// # Errors
-/// Every fault: of lines and columns, or else of what the recipe wants of them.
-pub(crate) fn read_runs(recipe: &Recipe, files: &[NamedText]) -> Result<Runs, Vec<Fault>> {
+/// A fault where there is no recording, or more of them than is read.
+pub(crate) fn columned<'t>(
+    recipe: &Recipe,
+    files: &'t [NamedText],
+) -> Result<ColumnedTexts<'t>, Vec<Fault>> {
     if files.is_empty() {
         return Err(vec![fault(
             "there is no recording; give one or more CSV files, one a run".to_owned(),
         )]);
     }
-    let mut faults = Vec::new();
     let usual: Vec<Cow<'_, str>> = files.iter().map(|file| usual(&file.text)).collect();
-    let named = || files.iter().map(|file| &file.name).zip(&usual);
-    for (place, file) in files.iter().enumerate() {
-        if let Some(twin) = files
-            .iter()
-            .take(place)
-            .find(|other| other.text == file.text)
-        {
-            let detail = format!(
-                "{} is the same as {}: a run that is learnt from twice isn't left out",
-                file.name, twin.name
-            );
-            Fault::add(&mut faults, "", detail);
-        }
-    }
     let rows: usize = usual.iter().map(|text| rows_below_header(text)).sum();
     if rows > MOST_ROWS {
         return Err(vec![fault(format!(
             "the recordings have {rows} rows; at most {MOST_ROWS} are read"
         ))]);
     }
-    // A file without a header says so below.
-    let headers: Vec<Vec<String>> = named()
-        .filter_map(|(name, text)| header(name, text).ok())
-        .collect();
-    let columns: HashSet<&String> = headers.iter().flatten().collect();
+    // A file without a header says so when it is read.
+    let named = files.iter().map(|file| &file.name).zip(&usual);
+    let headers: Vec<Option<Vec<String>>> =
+        named.map(|(name, text)| header(name, text).ok()).collect();
+    let columns: HashSet<&String> = headers.iter().flatten().flatten().collect();
     if columns.len() > MOST_COLUMNS {
         return Err(vec![fault(format!(
             "the recordings have {} columns of different names; at most {MOST_COLUMNS} are read, and every run has the same",
             columns.len()
         ))]);
     }
-    let mut names = NamedColumns::find(&recipe.columns, &headers);
+    let mut names = NamedColumns::find(&recipe.columns, headers.iter().flatten());
     let first_time = usual
         .iter()
         .zip(&headers)
-        .find_map(|(text, header)| first_time(text, header, &names));
+        .find_map(|(text, header)| first_time(text, header.as_ref()?, &names));
     if names.time_unit.is_none() && recipe.columns.time_unit.is_none() {
         names.time_unit = first_time.and_then(epoch_unit);
     }
+    Ok(ColumnedTexts {
+        usual,
+        headers,
+        names,
+        has_numbers: first_time.is_some(),
+    })
+}
+
+/// Reads recordings as a recipe asks.
+///
+/// # Errors
+/// Every fault: of lines and columns, or else of what the recipe wants of them.
+pub(crate) fn read_runs(recipe: &Recipe, files: &[NamedText]) -> Result<Runs, Vec<Fault>> {
+    let columned = columned(recipe, files)?;
+    let mut faults = twins(files);
     let gaps = recipe.preprocess.rate_hz.is_some();
     let mut recordings = Vec::new();
-    for (name, text) in named() {
-        match read(name, text, &recipe.columns, &names, gaps) {
+    for (file, text) in files.iter().zip(&columned.usual) {
+        match read(&file.name, text, &recipe.columns, &columned.names, gaps) {
             Ok(recording) => recordings.push(recording),
             Err(found) => add(&mut faults, found),
         }
@@ -96,19 +111,45 @@ pub(crate) fn read_runs(recipe: &Recipe, files: &[NamedText]) -> Result<Runs, Ve
     if !faults.is_empty() {
         return Err(faults);
     }
+    runs_of(recipe, &columned, recordings)
+}
+
+/// A fault for each file that was given before.
+pub(crate) fn twins(files: &[NamedText]) -> Vec<Fault> {
+    let mut faults = Vec::new();
+    for (place, file) in files.iter().enumerate() {
+        let mut before = files.iter().take(place);
+        if let Some(twin) = before.find(|other| other.text == file.text) {
+            let detail = format!(
+                "{} is the same as {}: a run that is learnt from twice isn't left out",
+                file.name, twin.name
+            );
+            Fault::add(&mut faults, "", detail);
+        }
+    }
+    faults
+}
+
+/// Runs of recordings that were read and have all columns.
+///
+/// # Errors
+/// Every fault of what the recipe wants of them.
+pub(crate) fn runs_of(
+    recipe: &Recipe,
+    columned: &ColumnedTexts<'_>,
+    recordings: Vec<Recording>,
+) -> Result<Runs, Vec<Fault>> {
     let repeated = repeated_stretches(&recordings);
     if !repeated.is_empty() {
         return Err(repeated);
     }
-    if first_time.is_some()
-        && let Some(refused) = doubtful_time(recipe, &names, &recordings)
-    {
+    if let Some(refused) = doubtful_time(recipe, columned, &recordings) {
         return Err(vec![refused]);
     }
     if let Some(refused) = too_many_ticks(recipe, &recordings) {
         return Err(vec![refused]);
     }
-    Runs::new(recipe, names, recordings)
+    Runs::new(recipe, columned.names.clone(), recordings)
         .map_err(|refusals| refusals.into_iter().map(of_recipe).collect())
 }
 
@@ -130,9 +171,15 @@ fn repeated_stretches(recordings: &[Recording]) -> Vec<Fault> {
 }
 
 /// Numbers of time that may be no seconds, where neither name nor recipe says so.
-fn doubtful_time(recipe: &Recipe, names: &NamedColumns, recordings: &[Recording]) -> Option<Fault> {
+pub(crate) fn doubtful_time(
+    recipe: &Recipe,
+    ColumnedTexts {
+        names, has_numbers, ..
+    }: &ColumnedTexts<'_>,
+    recordings: &[Recording],
+) -> Option<Fault> {
     let columns = &recipe.columns;
-    if names.time_unit.is_some() || columns.time_unit.is_some() {
+    if !has_numbers || names.time_unit.is_some() || columns.time_unit.is_some() {
         return None;
     }
     let is_named = columns.time.is_some();

@@ -6,14 +6,18 @@
 use document::fault::{Fault, entry};
 use document::fields::{Fields, shown};
 use estimation::recipe::Recipe;
+use estimation::recording::csv_recording::header;
+use estimation::recording::dialect::usual;
 use estimation::recording::recording_fault::RecordingFault;
 use serde_json::{Value, json};
 use store::content::{encode, sha256};
 
 use crate::forces::fit_forecast::estimate;
 use crate::forces::fitting::figures_of;
+use crate::forces::look::looking::{Depth, look};
 use crate::forces::recorded_texts::{self, NamedText, read_runs};
 use crate::wire::estimator_wire::StoredEstimator;
+use crate::wire::look_wire::Look;
 
 /// Most recordings of one estimator.
 const MOST_RECORDINGS: usize = 1000;
@@ -58,7 +62,7 @@ pub struct FitLimits {
 /// Every fault of the document; where it has none, every fault of the recordings.
 pub fn read_submission(document: Value, limits: FitLimits) -> Result<Submission, Vec<Fault>> {
     let mut faults = Vec::new();
-    let read = read_document(document, &mut faults);
+    let read = read_document(document, &["name", "recipe", "recordings"], &mut faults);
     let Some(Read {
         name,
         recipe,
@@ -101,6 +105,38 @@ pub fn read_submission(document: Value, limits: FitLimits) -> Result<Submission,
     })
 }
 
+/// Most columns of all recordings that are looked at together.
+const MOST_LOOKED_AT: usize = 20_000;
+
+/// Reads recordings, and looks at them as a recipe reads them.
+///
+/// # Errors
+/// Every fault of the document; more recordings or columns than are looked at. Faults of recordings are part of the look.
+pub fn read_look(document: Value) -> Result<Look, Vec<Fault>> {
+    let mut faults = Vec::new();
+    let read = read_document(document, &["recipe", "recordings"], &mut faults);
+    let Some(Read { recipe, files, .. }) = read.filter(|_| faults.is_empty()) else {
+        return Err(faults);
+    };
+    let columns = |file: &NamedText| header_of(&file.text).map_or(0, |header| header.len());
+    let columns: usize = files.iter().map(columns).sum();
+    if columns > MOST_LOOKED_AT {
+        let detail = format!(
+            "have {columns} columns; at most {MOST_LOOKED_AT} are looked at together: send fewer recordings"
+        );
+        Fault::add(&mut faults, "/recordings", detail);
+        return Err(faults);
+    }
+    let mut found = look(&recipe, &files, Depth::Series).map_err(placed)?;
+    found.faults = placed(found.faults);
+    found.refusals = placed(found.refusals);
+    Ok(found)
+}
+
+fn header_of(text: &str) -> Option<Vec<String>> {
+    header("", &usual(text)).ok()
+}
+
 /// Reads one recording whose forces are asked for.
 ///
 /// # Errors
@@ -130,10 +166,14 @@ struct Read {
     files: Vec<NamedText>,
 }
 
-fn read_document(mut document: Value, faults: &mut Vec<Fault>) -> Option<Read> {
+fn read_document(
+    mut document: Value,
+    known: &[&'static str],
+    faults: &mut Vec<Fault>,
+) -> Option<Read> {
     // Taken out, so that long texts are moved and not copied.
     let recordings = document.get_mut("recordings").map(Value::take);
-    let fields = Fields::open(&document, "", &["name", "recipe", "recordings"], faults)?;
+    let fields = Fields::open(&document, "", known, faults)?;
     let name = fields.get("name");
     let name = name.map(|(value, at)| read_name(value, &at, faults).unwrap_or_default());
     let recipe_document = fields

@@ -14,6 +14,15 @@ pub fn document() -> Value {
     })
 }
 
+/// The recordings and the recipe, without a name.
+pub fn looked_at() -> Value {
+    let mut document = document();
+    if let Some(fields) = document.as_object_mut() {
+        fields.remove("name");
+    }
+    document
+}
+
 /// Six strokes of two signals that follow a force.
 fn recording(file: &str, noise: usize) -> Value {
     let row = |row: usize| {

@@ -7,6 +7,7 @@ pub mod estimator_examples;
 pub mod estimator_wire;
 pub mod examples;
 pub mod layout_wire;
+pub mod look_wire;
 pub mod preview_wire;
 pub mod study_wire;
 pub mod sweep_examples;

@@ -13,6 +13,8 @@ use crate::cli::terminal::paint::{BAD, painted};
 pub enum Failure {
     /// The input is wrong: every fault.
     Input(Vec<Fault>),
+    /// The input is wrong in part: every fault. The JSON document says them already, with the rest.
+    Told(Vec<Fault>),
     /// The physics has no answer.
     Physics {
         /// `limit-point`, `self-contact` or `not-converged`.
@@ -45,7 +47,7 @@ impl Failure {
     /// The exit code.
     pub fn code(&self) -> u8 {
         match self {
-            Self::Input(_) => 2,
+            Self::Input(_) | Self::Told(_) => 2,
             Self::Physics { .. } | Self::Partial(_) => 3,
             Self::Other(_) => 1,
         }
@@ -55,7 +57,7 @@ impl Failure {
     pub fn painted(&self) -> String {
         let line = |text: &dyn fmt::Display| painted(BAD, text) + "\n";
         match self {
-            Self::Input(faults) => faults
+            Self::Input(faults) | Self::Told(faults) => faults
                 .iter()
                 .map(|fault| match visible(&fault.pointer) {
                     pointer if pointer.is_empty() => line(fault),
@@ -73,7 +75,7 @@ impl Failure {
     /// The failure as a JSON document.
     pub fn document(&self) -> Value {
         match self {
-            Self::Input(faults) => {
+            Self::Input(faults) | Self::Told(faults) => {
                 json!({"status": "refused", "detail": "the input is wrong", "errors": faults})
             }
             Self::Physics {
@@ -97,7 +99,9 @@ impl Failure {
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Input(faults) => faults.iter().try_for_each(|fault| writeln!(f, "{fault}")),
+            Self::Input(faults) | Self::Told(faults) => {
+                faults.iter().try_for_each(|fault| writeln!(f, "{fault}"))
+            }
             Self::Physics { status, detail, .. } => {
                 writeln!(f, "no equilibrium ({status}): {detail}")
             }

@@ -39,9 +39,16 @@ pub(crate) const GSA_ANALYSE: &str = "Examples:
 
 /// Examples of `force`.
 pub const FORCE: &str = "Examples:
+  strainsite force look monday.csv tuesday.csv
   strainsite force fit recipe.toml monday.csv tuesday.csv -o model.json
   strainsite force apply model.json friday.csv -o forces.csv
   strainsite force apply model.json - -o forces.csv";
+
+/// Examples of `force look`.
+pub(crate) const FORCE_LOOK: &str = "Examples:
+  strainsite force look monday.csv tuesday.csv
+  strainsite force look --recipe recipe.toml --json - monday.csv
+  strainsite force look logger.csv --convert monday.csv";
 
 /// Examples of `force fit`.
 pub(crate) const FORCE_FIT: &str = "Examples:

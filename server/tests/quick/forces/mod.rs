@@ -7,6 +7,7 @@ use serde_json::Value;
 use crate::program::{strainsite, text};
 
 mod files;
+mod looks;
 mod streams;
 
 /// A recipe that takes a second.

@@ -170,6 +170,11 @@ async fn sweeps(app: &App) -> Asked {
 
 async fn estimators(app: &App) -> Asked {
     let mut session = Session::new(app);
+    let run = json!({"file": "friday.csv", "text": "time_ms;s1;note;fz_kn\n0;0,5;a;0\n10;1,5;;0,02\n20;60;b;\n"});
+    let looked_at = json!({"recipe": {"columns": {"not_signals": "note"}}, "recordings": [run]});
+    session
+        .ask(Method::POST, "/v1/recordings:look", Some(&looked_at))
+        .await;
     let submitted = session
         .ask(Method::POST, "/v1/estimators", Some(&quick()))
         .await;

@@ -12,13 +12,15 @@ export interface ForcesDraftActions {
   /** Reads files; one of the same name takes the place of the earlier. */
   add(files: readonly File[]): Promise<void>;
   leaveOut(file: string): void;
+  /** Asks what the columns are taken for, before anything is learnt. */
+  look(): Promise<void>;
   submit(): Promise<void>;
 }
 
 export function createForcesDraft(store: Store, onSubmitted: (route: Route) => void): ForcesDraftActions {
   const draft = partOf(store, "forcesDraft");
   const set = (change: Partial<ForcesDraft>): void => draft.set({ ...draft.get(), ...change });
-  const changed = (change: Partial<ForcesDraft>): void => set({ ...change, problem: null, idempotencyKey: newKey() });
+  const changed = (change: Partial<ForcesDraft>): void => set({ ...change, problem: null, look: null, idempotencyKey: newKey() });
 
   async function add(files: readonly File[]): Promise<void> {
     const read = await answerTo(Promise.all(files.map(async (file): Promise<RecordingFile> => ({ file: file.name, text: await file.text() }))));
@@ -27,10 +29,28 @@ export function createForcesDraft(store: Store, onSubmitted: (route: Route) => v
     changed({ files: withFiles(draft.get().files, read.value) });
   }
 
+  /** The recipe's document; null, and said, where there is none. */
+  async function recipeOf(): Promise<{ document: unknown } | null> {
+    const recipe = await readRecipe(draft.get().recipe);
+    if (typeof recipe !== "string") return recipe;
+    set({ problem: { title: "The recipe can't be read.", status: 0, detail: recipe } });
+    return null;
+  }
+
+  async function look(): Promise<void> {
+    const { files, idempotencyKey } = draft.get();
+    const recipe = await recipeOf();
+    if (recipe === null) return;
+    set({ problem: null, look: { status: "loading" } });
+    const answer = await answerTo(api.lookAt({ recipe: recipe.document, recordings: files }));
+    // What was edited meanwhile was looked at as it was before.
+    if (draft.get().idempotencyKey === idempotencyKey) set({ look: answer });
+  }
+
   async function submit(): Promise<void> {
     const { name, files, idempotencyKey } = draft.get();
-    const recipe = await readRecipe(draft.get().recipe);
-    if (typeof recipe === "string") return set({ problem: { title: "The recipe can't be read.", status: 0, detail: recipe } });
+    const recipe = await recipeOf();
+    if (recipe === null) return;
     set({ sending: true, problem: null });
     const document = { ...(name.trim() === "" ? {} : { name: name.trim() }), recipe: recipe.document, recordings: files };
     const answer = await answerTo(api.fitForces(document, idempotencyKey));
@@ -39,7 +59,7 @@ export function createForcesDraft(store: Store, onSubmitted: (route: Route) => v
     onSubmitted(estimatorRoute(answer.value.id));
   }
 
-  return { edit: changed, add, leaveOut: (file) => changed({ files: draft.get().files.filter((each) => each.file !== file) }), submit };
+  return { edit: changed, add, leaveOut: (file) => changed({ files: draft.get().files.filter((each) => each.file !== file) }), look, submit };
 }
 
 /** The document of TOML or JSON, or why there is none. Their reader is loaded by those who write a recipe alone. */

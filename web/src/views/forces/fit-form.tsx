@@ -4,10 +4,11 @@ import type { ForcesDraftActions } from "../../state/forces/forces-draft.ts";
 import type { ForcesDraft } from "../../state/app-state.ts";
 import { Faults } from "../home/fault-list.tsx";
 import { FileDrop } from "./file-drop.tsx";
+import { LookPanel } from "./look-panel.tsx";
 
 /** Recordings to learn from, and how: dropped, named, sent. */
 export function FitForm({ draft, actions }: { draft: ForcesDraft; actions: ForcesDraftActions }) {
-  const { files, sending, problem } = draft;
+  const { files, sending, problem, look } = draft;
   const submit = (event: Event): void => {
     event.preventDefault();
     void actions.submit();
@@ -54,9 +55,13 @@ export function FitForm({ draft, actions }: { draft: ForcesDraft; actions: Force
           <button type="submit" class="primary" disabled={sending || files.length === 0}>
             {sending ? "Sending …" : files.length < 2 ? "Learn forces" : `Learn forces from ${files.length} runs`}
           </button>
+          <button type="button" disabled={files.length === 0 || look?.status === "loading"} onClick={() => void actions.look()}>
+            Look at the columns
+          </button>
           {files.length === 1 && <p class="quiet">With one run, cycles are left out, and nothing is said of other runs.</p>}
         </div>
       </form>
+      <div aria-live="polite">{look !== null && <LookPanel look={look} />}</div>
     </section>
   );
 }

@@ -9,14 +9,14 @@ use placement::points::machine_memory::machine_memory_bytes;
 use service::forces::fit_forecast::fit_forecast;
 use service::forces::fit_process::{ARGUMENT, FitOrder, Learnt, Unlearnt, learn};
 use service::forces::fitting::FitFailure;
-use service::forces::recorded_texts::{MOST_RECORDING_BYTES, NamedText};
-use service::study_document::text_files::read_any_text;
+use service::forces::recorded_texts::NamedText;
 use service::study_document::{format_of, read_file};
 use service::wire::estimator_wire::FitProgress;
 use service::work::own_process::{Wish, own_program};
 use tokio::runtime::Runtime;
 
 use crate::cli::commands::force::force_table::report_text;
+use crate::cli::commands::force::recording_files::recordings;
 use crate::cli::terminal::estimate_text::fit_estimate;
 use crate::cli::terminal::exit::Failure;
 use crate::cli::terminal::files::Files;
@@ -60,16 +60,9 @@ impl Fit {
     pub fn execute(&self) -> Result<(), Failure> {
         let recipe = read_file(&self.recipe)
             .and_then(|text| Recipe::from_text(&text, format_of(&self.recipe)));
-        let (files, unread) = self.recordings();
+        let (files, unread) = recordings(&self.runs);
         let mut faults = recipe.as_ref().err().cloned().unwrap_or_default();
-        faults.extend(
-            unread
-                .into_iter()
-                .flat_map(|detail| match Failure::input(detail) {
-                    Failure::Input(faults) => faults,
-                    _ => Vec::new(),
-                }),
-        );
+        faults.extend(unread);
         let recipe = match recipe {
             Ok(recipe) if faults.is_empty() => recipe,
             _ => return Err(Failure::Input(faults)),
@@ -98,22 +91,6 @@ impl Fit {
     fn threads(&self) -> usize {
         let cores = || std::thread::available_parallelism().map_or(1, usize::from);
         self.threads.map_or_else(cores, usize::from)
-    }
-
-    /// The recordings that can be read, and why others can't.
-    fn recordings(&self) -> (Vec<NamedText>, Vec<String>) {
-        let mut files = Vec::new();
-        let mut unread = Vec::new();
-        for path in &self.runs {
-            match read_any_text(path, MOST_RECORDING_BYTES) {
-                Ok(text) => files.push(NamedText {
-                    name: path.display().to_string(),
-                    text,
-                }),
-                Err(detail) => unread.push(detail),
-            }
-        }
-        (files, unread)
     }
 
     /// Learns in a process of its own, so that a signal ends it at once and a lack of memory ends it alone.

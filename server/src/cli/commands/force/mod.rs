@@ -1,14 +1,18 @@
 //! `strainsite force`: forces from recorded signals.
 //!
+//! - `force_look`: what recordings' columns are taken for; `look_table`: the same, for people
 //! - `force_fit`: validates every model on every split, learns the best
 //! - `force_apply`: estimates of a recording, or of rows as they come
 //! - `force_record`: recordings of a virtual rig on a study's tire
-//! - `force_table`: what a fit found, for people
+//! - `force_table`: what a fit found, for people; `recording_files`: recordings from their files
 
 mod force_apply;
 mod force_fit;
+mod force_look;
 mod force_record;
 mod force_table;
+mod look_table;
+mod recording_files;
 
 use clap::{Args, Subcommand};
 
@@ -26,6 +30,9 @@ pub struct Force {
 
 #[derive(Debug, Subcommand)]
 enum Step {
+    /// Say what each column of recordings is taken for and what stands in it, before anything is learnt
+    #[command(after_help = help_examples::FORCE_LOOK)]
+    Look(force_look::LookAt),
     /// Validate models on rows they didn't learn from, then learn the best from all rows
     #[command(after_help = help_examples::FORCE_FIT)]
     Fit(force_fit::Fit),
@@ -41,6 +48,7 @@ impl Force {
     /// Runs the step.
     pub fn execute(&self) -> Result<(), Failure> {
         match &self.step {
+            Step::Look(step) => step.execute(),
             Step::Fit(step) => step.execute(),
             Step::Apply(step) => step.execute(),
             Step::Record(step) => step.execute(),
@@ -50,6 +58,7 @@ impl Force {
     /// Returns the files that the step reads and writes.
     pub fn files(&self) -> Files {
         match &self.step {
+            Step::Look(step) => step.files(),
             Step::Fit(step) => step.files(),
             Step::Apply(step) => step.files(),
             Step::Record(step) => step.files(),
@@ -59,6 +68,7 @@ impl Force {
     /// Returns where the step's JSON goes.
     pub fn json(&self) -> Option<JsonTarget> {
         match &self.step {
+            Step::Look(step) => step.json.clone(),
             Step::Fit(step) => step.json.clone(),
             Step::Apply(_) | Step::Record(_) => None,
         }

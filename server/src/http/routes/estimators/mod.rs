@@ -1,16 +1,20 @@
 //! Forces from recordings.
 //!
+//! - [`look_routes`]: what recordings' columns are taken for
 //! - [`estimator_routes`]: submit, list, look at, cancel
 //! - [`learnt_routes`]: what was learnt, and estimates by it
 
 pub(crate) mod estimator_routes;
 pub(crate) mod learnt_routes;
+pub(crate) mod look_routes;
 
 use utoipa_axum::router::OpenApiRouter;
 
 use crate::http::app_state::AppState;
 
-/// `/v1/estimators` and what is below it.
+/// `/v1/estimators` and what is below it, and `/v1/recordings:look`.
 pub(crate) fn router() -> OpenApiRouter<AppState> {
-    estimator_routes::router().merge(learnt_routes::router())
+    look_routes::router()
+        .merge(estimator_routes::router())
+        .merge(learnt_routes::router())
 }

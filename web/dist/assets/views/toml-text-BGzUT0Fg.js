@@ -1,0 +1,1 @@
+export{Bt as readToml}from"../views-Bar51thM.js";
