@@ -228,9 +228,9 @@ impl ForceModel {
     }
 }
 
-/// Returns the interval's factor, learnt from the rows that were left out. Where these are of the runs that were learnt from, it is widened by what another run
+/// Returns the interval's factor on deviations of models that were learnt from folds, learnt from the rows that were left out. Where these are of the runs that were learnt from, it is widened by what another run
 /// brings, but never beyond the training mean's error: a model that hardly knows more than the mean loses no more on another run than that.
-fn interval_factor(judged: &Judged, by: SplitKind) -> f64 {
+pub fn interval_factor(judged: &Judged, by: SplitKind) -> f64 {
     let widened = match by {
         SplitKind::Run => 1.0,
         _ => another_run(judged, by),

@@ -161,7 +161,7 @@ mod tests {
                 1,
                 0.070_710_678_118_654_77,
                 4.9,
-                [0.014_908_268_563_507_531, 0.041_730_691_055_817_365],
+                [0.014_912_064_990_326_292, 0.041_742_897_621_393_875],
                 [-0.378_236_591_501_521_2, -0.268_278_887_127_207_7],
             ),
             (
@@ -173,7 +173,8 @@ mod tests {
             ),
         ] {
             let found = learnt(runs);
-            let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-9, "{a} {b}");
+            // It adds the least noise, 1e-9, which is a bound here.
+            let near = |a: f64, b: f64| assert!((a - b).abs() < 1.1e-9, "{a} {b}");
             near(found.gains, gains);
             near(found.limits[0], limit);
             near(found.noise[0], noise[0]);

@@ -4,7 +4,9 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::Instant;
 
 use document::fault::Fault;
-use estimation::estimator::{Estimator, FORMAT, FeatureRanges, ForceModel, Stream, VERSION};
+use estimation::estimator::{
+    Estimator, FORMAT, FeatureRanges, ForceModel, Stream, VERSION, interval_factor,
+};
 use estimation::fit_report::{FitCost, ForceReport, Ranking, RecordingFigures, Report, promise};
 use estimation::model::contract::FitError;
 use estimation::recipe::{FeatureSet, Kind, Recipe, SplitKind};
@@ -110,8 +112,7 @@ pub fn fit(recipe: &Recipe, files: &[NamedText], work: Work<'_>) -> Result<Fit, 
     };
     let left_out = named()
         .zip(&rows)
-        .zip(&estimator.forces)
-        .map(|(((force, ranking), rows), model)| left_out_rows(force, ranking, rows, model));
+        .map(|((force, ranking), rows)| left_out_rows(force, ranking, rows));
     Ok(Fit {
         left_out: left_out.collect(),
         estimator,
@@ -373,12 +374,7 @@ fn figures(runs: &Runs, run: usize, recording: &Recording, file: &NamedText) -> 
     }
 }
 
-fn left_out_rows(
-    force: &str,
-    ranking: &Ranking,
-    rows: &LabelledRows,
-    model: &ForceModel,
-) -> LeftOutRows {
+fn left_out_rows(force: &str, ranking: &Ranking, rows: &LabelledRows) -> LeftOutRows {
     let mut found = LeftOutRows {
         force: force.to_owned(),
         run: Vec::new(),
@@ -392,8 +388,10 @@ fn left_out_rows(
         .chosen()
         .map_or(Vec::new(), |chosen| chosen.left_out(ranking.by).to_vec());
     said.sort_by_key(|row| row.row);
+    let chosen = ranking.chosen();
+    let factor = chosen.map_or(0.0, |chosen| interval_factor(chosen, ranking.by));
     for row in said {
-        let half = model.factor * row.deviation;
+        let half = factor * row.deviation;
         found.run.push(rows.places[row.row].run);
         found.time_s.push(rows.places[row.row].time_s);
         found.truth_n.push(row.truth);
