@@ -12,8 +12,9 @@ use serde_json::json;
 use crate::cli::terminal::figures::Figures;
 use crate::cli::terminal::paint::{BAD, GOOD, painted};
 
-/// Characters of a model's name and its features.
+/// Characters of a model's name and its features, and of the name alone.
 const NAMED: usize = 16;
+const MODEL: usize = 8;
 
 /// The report as text.
 pub(crate) fn report_text(report: &Report) -> String {
@@ -89,8 +90,16 @@ fn models(force: &ForceReport) -> String {
     let table = columns::models();
     let columns = ["judged", "splits", "leak"].map(|view| table.view(view));
     let figures = Figures::of(&columns.concat(), &rows);
-    let names = format!("{:<8}features", visible(&force.force));
-    let mut text = figures.head(&names, NAMED, "");
+    // A name that doesn't fit above the models stands alone.
+    let name = visible(&force.force).to_string();
+    let is_short = name.chars().count() < MODEL;
+    let above = if is_short { name.as_str() } else { "model" };
+    let mut text = if is_short {
+        String::new()
+    } else {
+        format!("{name}\n")
+    };
+    text += &figures.head(&format!("{above:<MODEL$}features"), NAMED, "");
     for (row, model) in force.models.iter().enumerate() {
         let features = match model.model {
             Kind::Mean => "-",
@@ -98,7 +107,7 @@ fn models(force: &ForceReport) -> String {
         };
         let _ = writeln!(
             text,
-            "{:<8}{features:<8}{}",
+            "{:<MODEL$}{features:<8}{}",
             model.model.as_str(),
             figures.row(row)
         );
