@@ -7,13 +7,14 @@ use estimation::live::live_estimates::Live;
 use estimation::recipe::{Columns, CycleRule, Recipe};
 use estimation::recording::Recording;
 use estimation::recording::csv_recording::{header, read};
+use estimation::recording::dialect::usual;
 use estimation::recording::named_columns::NamedColumns;
 use estimation::recording::recording_fault::{MOST_FAULTS, RecordingFault};
 use estimation::rows::{Runs, Start};
 
 /// A recording is refused with its faults, or has rows in the order of time whose features are finite, whatever makes its cycles.
 pub fn recording(text: &str) {
-    let file = "r.csv";
+    let (file, text) = ("r.csv", &*usual(text));
     let header = match header(file, text) {
         Ok(header) => header,
         Err(faults) => return say_where_of_recording(&faults),
@@ -59,6 +60,8 @@ fn learnable(recipe: &Recipe, names: NamedColumns, recording: Recording) {
     }
     match Runs::new(recipe, names, vec![recording]) {
         Ok(runs) => {
+            // Whether there are any depends on the rows; they are checked where they are made.
+            runs.relations();
             for start in [Start::Kept, Start::First, Start::Unloaded] {
                 let settings = runs.stream_settings(recipe, start);
                 let features = runs.features(&settings, start);
