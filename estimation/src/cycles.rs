@@ -35,8 +35,11 @@ pub fn cycles(recording: &Recording, rule: &CycleRule) -> Vec<usize> {
     }
 }
 
+/// Later blocks count as this one, 2^52: numbers of cycles are added over runs.
+const LAST_BLOCK: f64 = 4_503_599_627_370_496.0;
+
 fn blocks(time_s: &[f64], first: f64, block_s: f64) -> Vec<usize> {
-    let block = |t: &f64| ((t - first) / block_s).floor();
+    let block = |t: &f64| ((t - first) / block_s).floor().min(LAST_BLOCK);
     time_s
         .iter()
         .map(|t| if block_s > 0.0 { block(t) as usize } else { 0 })
@@ -96,5 +99,7 @@ mod tests {
             [0, 1, 1, 1, 2, 2]
         );
         assert_eq!(cycles(&run, &CycleRule::Tenths), [0, 1, 2, 7, 8, 9]);
+        let long = recording(&[0.0, 1e70], &[0.0, 1.0]);
+        assert_eq!(cycles(&long, &CycleRule::BlockS(0.1)), [0, 1 << 52]);
     }
 }
