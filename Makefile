@@ -19,7 +19,8 @@ ALL := --profile ci --workspace --locked
 PROGRAM := $(if $(BUILT),,build-tested)
 # nextest where it is installed: it runs the tests of several crates at a time. It doesn't know those of documentation.
 ifneq ($(shell cargo nextest --version 2>/dev/null),)
-    UNIT_TESTS := $(CARGO) nextest run $(ALL) --lib --no-tests=pass --status-level=fail
+    # Its own --profile names something else.
+    UNIT_TESTS := $(CARGO) nextest run $(ALL:--profile=--cargo-profile) --lib --no-tests=pass --status-level=fail
 else
     UNIT_TESTS := $(CARGO) test $(ALL) --lib --quiet
 endif
