@@ -102,10 +102,9 @@ pub fn read(
     names: &NamedColumns,
     gaps: bool,
 ) -> Result<Recording, Vec<RecordingFault>> {
-    let header = header(file, text)?;
-    let mut faults = FaultList::of(file);
-    names.check(columns, &header, &mut faults);
-    read_known(text, &header, names, gaps, faults)
+    read_checked(file, text, names, gaps, |header, faults| {
+        names.check(columns, header, faults);
+    })
 }
 
 /// Reads a whole file as [`read`] does, which may lack every force: one that forces are to be estimated of.
@@ -119,27 +118,30 @@ pub fn read_for_look(
     names: &NamedColumns,
     gaps: bool,
 ) -> Result<Recording, Vec<RecordingFault>> {
-    let header = header(file, text)?;
-    if !names.among(&header).forces.is_empty() {
-        return read(file, text, columns, names, gaps);
-    }
-    let mut faults = FaultList::of(file);
-    names.check_without_forces(columns, &header, &mut faults);
-    read_known(text, &header, names, gaps, faults)
+    read_checked(file, text, names, gaps, |header, faults| {
+        if names.among(header).forces.is_empty() {
+            names.check_without_forces(columns, header, faults);
+        } else {
+            names.check(columns, header, faults);
+        }
+    })
 }
 
-fn read_known(
+fn read_checked(
+    file: &str,
     text: &str,
-    header: &[String],
     names: &NamedColumns,
     gaps: bool,
-    faults: FaultList,
+    check: impl FnOnce(&[String], &mut FaultList),
 ) -> Result<Recording, Vec<RecordingFault>> {
+    let header = header(file, text)?;
+    let mut faults = FaultList::of(file);
+    check(&header, &mut faults);
     if faults.is_full() {
         return Err(faults.into_faults());
     }
     // Rows are read without the columns that are missing: all faults are told at once.
-    rows(text, &names.among(header), header, gaps, faults)
+    rows(text, &names.among(&header), &header, gaps, faults)
 }
 
 /// Reads the rows below a header that has all of these columns. `gaps` lets signals be empty.

@@ -46,7 +46,7 @@ impl ForceColumn {
     }
 
     /// Newtons of one of the column's unit, where a force was found in it: 1 where the force has the column's own name, as a model has that learnt from it as newtons.
-    pub(super) fn newtons_as(&self, force: &str, column: &str) -> f64 {
+    fn newtons_as(&self, force: &str, column: &str) -> f64 {
         if force == column { 1.0 } else { self.newtons }
     }
 }
@@ -66,6 +66,12 @@ pub(super) fn column_of<'h>(force: &str, header: &'h [String]) -> Option<&'h Str
     let mut by_name = header.iter().filter(|column| *column == force);
     let by_unit = || header.iter().find(|column| force_of(column) == force);
     by_name.next().or_else(by_unit)
+}
+
+/// The column of a force in a header, and newtons of one of its unit.
+pub(super) fn measured_in<'h>(force: &str, header: &'h [String]) -> Option<(&'h String, f64)> {
+    let column = column_of(force, header)?;
+    Some((column, ForceColumn::of(column).newtons_as(force, column)))
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
 use super::csv_line::{cells, number};
-use super::force_unit::{ForceColumn, column_of};
+use super::force_unit::measured_in;
 use super::named_columns::NamedColumns;
 use super::recording_fault::{FaultKind, FaultList};
 use super::time_column::nanoseconds_beside;
@@ -46,11 +46,8 @@ impl RowReader {
         let places: std::collections::HashMap<&String, usize> = header.iter().zip(0..).collect();
         let place = |name: &String| places.get(name).copied();
         let force = |name: &String| {
-            let column = column_of(name, header)?;
-            Some((
-                place(column)?,
-                ForceColumn::of(column).newtons_as(name, column),
-            ))
+            let (column, newtons) = measured_in(name, header)?;
+            Some((place(column)?, newtons))
         };
         Some(Self {
             width: header.len(),

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::recording::force_unit::{ForceColumn, column_of};
+use crate::recording::force_unit::measured_in;
 use crate::recording::named_columns::NamedColumns;
 use crate::recording::time_column::nanoseconds_beside;
 
@@ -37,8 +37,7 @@ pub fn taken_columns(names: &NamedColumns, header: &[String]) -> Vec<Part> {
         .iter()
         .enumerate()
         .filter_map(|(number, force)| {
-            let column = column_of(force, header)?;
-            let newtons = ForceColumn::of(column).newtons_as(force, column);
+            let (column, newtons) = measured_in(force, header)?;
             Some((column, Part::Force { number, newtons }))
         });
     let forces: HashMap<&String, Part> = forces.collect();
