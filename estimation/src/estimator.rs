@@ -123,6 +123,9 @@ pub struct ForceModel {
     pub members: Vec<LearntModel>,
     /// Deviations times this are half an interval's width.
     pub factor: f64,
+    /// Force beyond which a first reading is a load by the model's zero, N; `None` in models of earlier versions.
+    #[serde(default)]
+    pub loaded_above_n: Option<f64>,
 }
 
 /// A force at a row, N.
@@ -211,6 +214,7 @@ impl ForceModel {
         Self {
             members,
             factor: sharper * interval_factor(judged, by),
+            loaded_above_n: None,
         }
     }
 
@@ -330,8 +334,15 @@ impl Estimator {
             for member in &mut force.members {
                 member.prepare(signals)?;
             }
-            if !(force.factor.is_finite() && force.factor >= 0.0) {
-                return Err("a force's factor must be positive".to_owned());
+            let loaded_above = force.loaded_above_n.unwrap_or_default();
+            if ![force.factor, loaded_above]
+                .iter()
+                .all(|x| x.is_finite() && *x >= 0.0)
+            {
+                return Err(
+                    "a force's factor and the load at which it begins loaded must be positive"
+                        .to_owned(),
+                );
             }
         }
         Ok(())

@@ -97,6 +97,11 @@ impl FeatureStream {
         self.learnt_zero = learnt.cloned();
     }
 
+    /// Whether the next row's signals will be taken for the zero.
+    pub(crate) fn is_zero_next(&self) -> bool {
+        self.start.is_none() && (self.settings.subtract_start || self.learnt_zero.is_some())
+    }
+
     fn reading(&mut self, signals: &[f64]) -> Vec<f64> {
         let start = self.start.get_or_insert_with(|| signals.to_vec());
         let sign = if self.settings.turn_sign { -1.0 } else { 1.0 };

@@ -269,7 +269,14 @@ impl Runs {
 
     /// The signals without a force: the medians of the runs' zeros. `None` where no run was unloaded.
     pub fn zero(&self) -> Option<Vec<f64>> {
-        let zeros: Vec<Vec<f64>> = self.runs.iter().filter_map(zero).collect();
+        self.zero_without(&[])
+    }
+
+    /// The zero of the runs but these.
+    pub(crate) fn zero_without(&self, left_out: &[usize]) -> Option<Vec<f64>> {
+        let runs = self.runs.iter().enumerate();
+        let others = runs.filter(|(number, _)| !left_out.contains(number));
+        let zeros: Vec<Vec<f64>> = others.filter_map(|(_, run)| zero(run)).collect();
         let of_signal = |signal: usize| upper_median(zeros.iter().map(|zero| zero[signal]));
         (0..self.names.signals.len()).map(of_signal).collect()
     }

@@ -1,7 +1,7 @@
 //! Estimates row by row, as a robot's controller would have them. A file is nothing but its rows, so both give the same bits.
 
 use crate::align::Clock;
-use crate::estimator::{Estimate, Estimator};
+use crate::estimator::{Estimate, Estimator, ForceModel};
 use crate::features::FeatureStream;
 use crate::relations::relation_watch::RelationWatch;
 
@@ -25,6 +25,17 @@ pub struct Estimated {
     pub outside: bool,
     /// Number of the signal that the others make unlikely.
     pub suspect: Option<usize>,
+    /// Load that this row's signals, which are taken for the zero, are by the zero of the model.
+    pub load: Option<Load>,
+}
+
+/// Load under which a run begins.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Load {
+    /// Number of the force.
+    pub force: usize,
+    /// N
+    pub load_n: f64,
 }
 
 impl Estimated {
@@ -93,6 +104,8 @@ impl<'e> Live<'e> {
     }
 
     fn estimated(&mut self, time_s: f64, cycle: Option<usize>, signals: &[f64]) -> Estimated {
+        let is_zero = self.stream.is_zero_next();
+        let load = is_zero.then(|| self.load(time_s, cycle, signals)).flatten();
         let features = self.stream.push(time_s, cycle, signals);
         let forces = self.estimator.forces.iter();
         let suspect = self.watch.as_mut().and_then(|watch| watch.suspect(signals));
@@ -101,6 +114,21 @@ impl<'e> Live<'e> {
             forces: forces.map(|force| force.estimate(&features)).collect(),
             outside: self.estimator.is_outside(&features) || suspect.is_some(),
             suspect,
+            load,
         }
+    }
+
+    /// The first force that a reading is beyond what runs at rest are, by the zero of the model; none where that isn't known.
+    fn load(&self, time_s: f64, cycle: Option<usize>, signals: &[f64]) -> Option<Load> {
+        let zero = self.estimator.zero.as_ref()?;
+        let mut stream = FeatureStream::new(self.estimator.stream.settings());
+        stream.start_at(Some(zero.clone()), Some(zero));
+        let features = stream.push(time_s, cycle, signals);
+        let of = |(force, model): (usize, &ForceModel)| {
+            let load_n = model.estimate(&features).force;
+            (load_n.is_finite() && load_n.abs() > model.loaded_above_n?)
+                .then_some(Load { force, load_n })
+        };
+        self.estimator.forces.iter().enumerate().find_map(of)
     }
 }

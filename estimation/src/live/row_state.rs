@@ -7,6 +7,8 @@ pub enum RowState {
     Ok,
     /// Row whose signals are the zero from here on.
     Zero,
+    /// Row whose signals are the zero from here on, though a force acts by the zero of the model.
+    Loaded,
     /// First row after a pause: features begin anew.
     Gap,
     /// Row at another rate than that which was learnt from.
@@ -35,6 +37,7 @@ impl RowState {
         match self {
             Self::Ok => "ok",
             Self::Zero => "zero",
+            Self::Loaded => "loaded",
             Self::Gap => "gap",
             Self::Rate => "rate",
             Self::ClockReset => "clock-reset",
@@ -52,7 +55,7 @@ impl RowState {
     pub fn is_estimated(self) -> bool {
         matches!(
             self,
-            Self::Ok | Self::Zero | Self::Gap | Self::Rate | Self::ClockReset
+            Self::Ok | Self::Zero | Self::Loaded | Self::Gap | Self::Rate | Self::ClockReset
         )
     }
 }

@@ -7,6 +7,8 @@ use crate::recording::Recording;
 
 /// A force that is a smaller share of the run's largest is none.
 const UNLOADED: f64 = 0.05;
+/// A sensor that is lifted has less than this share of it, where it ever has: loads that come and go slowly are below the other for seconds.
+const LIFTED: f64 = 0.01;
 /// Share of their own deviation by which signals without a force may be away from a run's first reading where that is their zero. Beyond, taking it
 /// off moves signals of another run by more than their offsets are likely to differ: an offset as large would be half of what they say.
 const ZERO_SHARE: f64 = 0.5;
@@ -43,17 +45,59 @@ pub(crate) fn is_first_a_zero(run: &Recording) -> bool {
 }
 
 pub(super) fn unloaded_rows(run: &Recording) -> Vec<usize> {
+    let most = largest_forces(run);
+    (0..run.rows())
+        .filter(|row| is_unloaded(run, *row, &most))
+        .collect()
+}
+
+/// The largest size of each force, N.
+pub(crate) fn largest_forces(run: &Recording) -> Vec<f64> {
     let largest = |forces: ArrayView1<'_, f64>| {
         let known = forces.iter().filter(|force| force.is_finite());
         known.fold(0.0, |most: f64, force| most.max(force.abs()))
     };
-    let most: Vec<f64> = run.forces.columns().into_iter().map(largest).collect();
-    let is_unloaded = |row: &usize| {
-        let mut forces = run.forces.row(*row).into_iter().zip(&most);
-        // A force that wasn't measured may be any.
-        forces.all(|(force, most)| force.abs() <= UNLOADED * most)
-    };
-    (0..run.rows()).filter(is_unloaded).collect()
+    run.forces.columns().into_iter().map(largest).collect()
+}
+
+/// Whether every force of a row is measured as none beside the largest ones.
+pub(crate) fn is_unloaded(run: &Recording, row: usize, most: &[f64]) -> bool {
+    is_below(run, row, most, UNLOADED)
+}
+
+fn is_below(run: &Recording, row: usize, most: &[f64], share: f64) -> bool {
+    let mut forces = run.forces.row(row).into_iter().zip(most);
+    // A force that wasn't measured may be any.
+    forces.all(|(force, most)| force.abs() <= share * most)
+}
+
+/// Stretches without a force after one with it: their first and last rows.
+pub(crate) fn liftings(run: &Recording) -> Vec<(usize, usize)> {
+    let lifted = liftings_below(run, LIFTED);
+    // A noisy force sensor never reads as little.
+    match lifted.is_empty() {
+        true => liftings_below(run, UNLOADED),
+        false => lifted,
+    }
+}
+
+fn liftings_below(run: &Recording, share: f64) -> Vec<(usize, usize)> {
+    let most = largest_forces(run);
+    let mut found: Vec<(usize, usize)> = Vec::new();
+    let mut was_loaded = false;
+    let mut is_open = false;
+    let measured = |row: &usize| run.forces.row(*row).iter().all(|force| force.is_finite());
+    for row in (0..run.rows()).filter(measured) {
+        let unloaded = is_below(run, row, &most, share);
+        match found.last_mut() {
+            Some((_, last)) if unloaded && is_open => *last = row,
+            _ if unloaded && was_loaded => found.push((row, row)),
+            _ => {}
+        }
+        is_open = unloaded && was_loaded;
+        was_loaded |= !unloaded;
+    }
+    found
 }
 
 /// Whether most signals are near their first reading wherever no force acts.
@@ -112,6 +156,32 @@ mod tests {
         assert_eq!(zero(&without), Some(vec![3.0, 8.0]));
         let loaded = array![[10.0], [10.0], [9.0], [10.0], [9.0]];
         assert_eq!(zero(&run(signals, loaded)), None);
+    }
+
+    #[test]
+    fn liftings_are_stretches_without_a_force_after_a_load() {
+        let nan = f64::NAN;
+        let forces = array![
+            [0.0],
+            [9.0],
+            [0.1],
+            [nan],
+            [0.1],
+            [0.4],
+            [10.0],
+            [nan],
+            [8.0],
+            [0.0]
+        ];
+        let made = run(Array2::zeros((10, 1)), forces);
+        assert_eq!(liftings(&made), [(2, 4), (9, 9)]);
+        // Never below a hundredth, but below a twentieth.
+        let noisy = run(Array2::zeros((3, 1)), array![[9.0], [0.2], [0.3]]);
+        assert_eq!(liftings(&noisy), [(1, 2)]);
+        assert_eq!(
+            liftings(&run(Array2::zeros((2, 1)), array![[0.0], [0.0]])),
+            []
+        );
     }
 
     #[test]

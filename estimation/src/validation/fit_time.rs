@@ -116,11 +116,12 @@ impl Work<'_> {
             .collect()
     }
 
-    /// Pieces that learn what was chosen from all rows, and what chance would do.
+    /// Pieces that learn what was chosen from all rows, what chance would do, and what runs that begin elsewhere do to it.
     fn learnt(&self, members: &[Candidate]) -> Vec<f64> {
         let of = |candidate: Candidate, rows: usize| {
             let whole = self.task(candidate, Effort::Whole, rows).learning_s();
-            [whole, self.split_s(candidate, rows, self.chooses())]
+            let split_s = |split| self.split_s(candidate, rows, split);
+            [whole, split_s(self.chooses()), split_s(SplitKind::Run)]
         };
         let rows = self.sizes.rows.iter();
         rows.flat_map(|rows| members.iter().flat_map(move |one| of(*one, *rows)))

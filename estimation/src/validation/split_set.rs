@@ -53,4 +53,12 @@ impl Splits {
             folds: SplitKind::ALL.map(of).into(),
         }
     }
+
+    /// The folds that leave runs out; none of a single run.
+    pub fn of_runs(&self) -> &[Fold] {
+        let folds = self.folds.get(&SplitKind::Run);
+        folds
+            .and_then(|folds| folds.as_ref().ok())
+            .map_or(&[], Vec::as_slice)
+    }
 }

@@ -41,7 +41,7 @@ const IDENTITY: &str = "seal";
 /// Seal of how far it is, apart: who changes that takes this seal off, and leaves the other one as it is.
 const STATE: &str = "state_seal";
 
-static SEALED: [Sealed; 16] = [
+static SEALED: [Sealed; 17] = [
     sealed(
         "studies",
         IDENTITY,
@@ -141,6 +141,12 @@ static SEALED: [Sealed; 16] = [
         IDENTITY,
         &["estimator", "part"],
         &["estimator", "part", "sha256"],
+    ),
+    sealed(
+        "estimator_zeros",
+        IDENTITY,
+        &["estimator"],
+        &["estimator", "sha256"],
     ),
     sealed(
         "estimator_keys",

@@ -137,9 +137,36 @@ async fn what_the_service_learns_and_estimates_is_what_the_command_line_does() {
     assert_eq!(answer.status(), StatusCode::OK);
     assert_eq!(answer.headers()["content-type"], "text/csv; charset=utf-8");
     let estimator = read_model(&model).expect("reads");
-    let estimates = apply(&estimator, "friday.csv", unmeasured, &Zero::AsLearnt).expect("applies");
+    let estimates = apply(&estimator, "friday.csv", unmeasured, &Zero::AsLearnt)
+        .expect("applies")
+        .csv;
     assert_eq!(answer.text().await.expect("text"), estimates);
     assert_eq!(estimates.lines().count(), 4);
+
+    // Given a zero, recordings are estimated by it however they begin, until it is forgotten.
+    assert_eq!(done["zero"], json!(null));
+    let rest = json!({"file": "rest.csv", "text": "time_s,s1,s2\n0,0.2,0.1\n0.01,0.4,0.3\n0.02,0.3,0.2\n"});
+    let answer = post(&app, &format!("{path}:zero"), &rest).await;
+    assert_eq!(answer.status(), StatusCode::OK);
+    let zero: Value = answer.json().await.expect("JSON");
+    assert_eq!(
+        (&zero["file"], &zero["zero"]),
+        (&json!("rest.csv"), &json!([0.3, 0.2]))
+    );
+    assert_eq!(app.json(&path).await["zero"], zero);
+    let known = Zero::Known(vec![0.3, 0.2]);
+    let by_zero = apply(&estimator, "friday.csv", unmeasured, &known).expect("applies");
+    let answer = post(&app, &format!("{path}:apply"), &run).await;
+    assert_eq!(answer.text().await.expect("text"), by_zero.csv);
+    assert_ne!(by_zero.csv, estimates);
+    let loaded = json!({"file": "rest.csv", "text": "time_s,s1\n0,1\n"});
+    let refused = post(&app, &format!("{path}:zero"), &loaded).await;
+    problem(refused, StatusCode::UNPROCESSABLE_ENTITY).await;
+    assert_eq!(app.json(&path).await["zero"], zero);
+    let forgotten = post(&app, &format!("{path}:zero"), &json!({})).await;
+    assert_eq!(forgotten.status(), StatusCode::NO_CONTENT);
+    let answer = post(&app, &format!("{path}:apply"), &run).await;
+    assert_eq!(answer.text().await.expect("text"), estimates);
 }
 
 #[tokio::test(flavor = "multi_thread")]

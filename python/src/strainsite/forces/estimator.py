@@ -8,7 +8,7 @@ import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from strainsite.answers._generated import EstimatorSummary
+from strainsite.answers._generated import EstimatorSummary, EstimatorZero
 from strainsite.answers.reading import records
 from strainsite.connection.download import write_whole
 from strainsite.connection.follow import look
@@ -128,6 +128,27 @@ class Estimator(Entry[EstimatorSummary]):
             ]
         except (TypeError, ValueError) as error:
             raise AnswerError(f"the service's estimates aren't what this client knows: {error}") from error
+
+    def zero(self, rest: Run | None, *, name: str = "rest.csv") -> dict[str, float]:
+        """Gives it the zero of a recording without load, by which `apply` estimates from then on, and returns each signal's.
+
+        Args:
+            rest: As for `apply`, without load, or with forces whose rows without one count; None forgets the zero, so
+                that recordings begin as they did when it was learnt.
+            name: What messages call all but a file.
+
+        Raises:
+            DocumentError: A file can't be read.
+            InvalidDocument: A signal is missing, or a force acts in all rows.
+
+        """
+        content = json.dumps({} if rest is None else recording(rest, name)).encode()
+        headers = {"Content-Type": "application/json"}
+        answer = self._transport.request("POST", f"{self._path}:zero", content=content, headers=headers)
+        if rest is None:
+            return {}
+        zero = EstimatorZero.of(answer.json())
+        return dict(zip(zero.signals, zero.zero, strict=True))
 
     def left_out(self, force: str | None = None) -> LeftOutRows:
         """Rows that were left out, as they were estimated; of the first force when none is named.

@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use documents::own_model::csv_cell;
 use estimation::estimator::Estimator;
-use estimation::live::live_estimates::{Estimated, Live};
+use estimation::live::live_estimates::{Estimated, Live, Load};
 use estimation::live::row_watch::{MOST_TICKS, RATE_ROWS, is_other_rate};
 use estimation::recording::csv_recording::{
     CycleNumbers, check_time, header, header_names, read_rows,
@@ -33,6 +33,8 @@ pub struct EstimatedLines<'e> {
     intervals: Vec<f64>,
     /// Ticks of the model's clock that came since the last estimate.
     ticks: f64,
+    /// Load under which the recording begins.
+    load: Option<Load>,
 }
 
 /// The header of estimates: `time_s`, each force with its interval, `outside`.
@@ -87,6 +89,7 @@ impl<'e> EstimatedLines<'e> {
             cycles: CycleNumbers::default(),
             intervals: Vec::new(),
             ticks: 0.0,
+            load: None,
         })
     }
 
@@ -126,7 +129,18 @@ impl<'e> EstimatedLines<'e> {
         if !estimated.is_empty() {
             self.ticks = 0.0;
         }
+        self.load = self.load.or(estimated.iter().find_map(|tick| tick.load));
         Ok(estimated.iter().map(line_of).collect())
+    }
+
+    /// Says under which load it begins, where one is taken for nothing.
+    pub fn begins_loaded(&self) -> Option<String> {
+        let Load { force, load_n } = self.load?;
+        let name = self.estimator.columns.forces.get(force)?.escape_debug();
+        Some(format!(
+            "{}: it begins under some {load_n:.3} N of {name} by the zero of the model, and that is taken for nothing: begin unloaded, or give a recording at rest as the zero",
+            self.file
+        ))
     }
 
     /// Refuses a row that would complete any number of ticks at once: two rows far apart make as many as they like.
@@ -221,11 +235,11 @@ pub(super) fn live_from<'e>(estimator: &'e Estimator, zero: &Zero) -> Live<'e> {
 ///
 /// # Errors
 /// Its faults; that none of its rows is unloaded.
-pub fn zero_of_recording(
+pub fn measured_zero(
     estimator: &Estimator,
     file: &str,
     text: &str,
-) -> Result<Zero, Vec<RecordingFault>> {
+) -> Result<Vec<f64>, Vec<RecordingFault>> {
     let text = &usual(text);
     let names = header(file, text)?;
     let mut faults = FaultList::of(file);
@@ -237,11 +251,20 @@ pub fn zero_of_recording(
     let there = estimator.columns.among(&names);
     let run = read_rows(file, text, &there, &names, gaps)?;
     let zero = unloaded::zero(&run);
-    zero.map(Zero::Known).ok_or_else(|| {
+    zero.ok_or_else(|| {
         let detail = "has no row without a force: the zero is what the signals are then";
         faults.add(None, None, detail);
         faults.into_faults()
     })
+}
+
+/// Estimates of a recording.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Estimates {
+    /// CSV with a header.
+    pub csv: String,
+    /// Load under which the recording begins, a sentence, where one is taken for nothing.
+    pub begins_loaded: Option<String>,
 }
 
 /// Estimates of a whole recording.
@@ -253,7 +276,7 @@ pub fn apply(
     file: &str,
     text: &str,
     zero: &Zero,
-) -> Result<String, Vec<RecordingFault>> {
+) -> Result<Estimates, Vec<RecordingFault>> {
     let unbounded = Bounds {
         zero,
         most_bytes: usize::MAX,
@@ -282,7 +305,7 @@ pub fn apply_within(
     file: &str,
     text: &str,
     bounds: Bounds<'_>,
-) -> Result<Option<String>, Vec<RecordingFault>> {
+) -> Result<Option<Estimates>, Vec<RecordingFault>> {
     let text = usual(text);
     // Lines that were comments are blank.
     let blanks = text.lines().take_while(|line| line.trim().is_empty());
@@ -295,17 +318,17 @@ pub fn apply_within(
         bounds.zero,
     )?;
     rows.line += blanks;
-    let mut out = estimates_header(estimator);
+    let mut csv = estimates_header(estimator);
     let mut faults = Vec::new();
     for line in lines {
         if bounds.stop.load(Ordering::Relaxed) {
             return Ok(None);
         }
         match rows.push(line) {
-            Ok(estimates) => out.push_str(&estimates),
+            Ok(estimates) => csv.push_str(&estimates),
             Err(found) => faults.extend(found),
         }
-        if out.len() > bounds.most_bytes {
+        if csv.len() > bounds.most_bytes {
             let mut large = FaultList::of(file);
             let detail = format!(
                 "has more than {} MiB of estimates: send it in parts",
@@ -320,7 +343,8 @@ pub fn apply_within(
         }
     }
     if faults.is_empty() {
-        Ok(Some(out))
+        let begins_loaded = rows.begins_loaded();
+        Ok(Some(Estimates { csv, begins_loaded }))
     } else {
         Err(faults)
     }

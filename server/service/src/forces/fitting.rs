@@ -7,7 +7,9 @@ use document::fault::Fault;
 use estimation::estimator::{
     Estimator, FORMAT, FeatureRanges, ForceModel, Stream, VERSION, interval_factor,
 };
-use estimation::fit_report::{FitCost, ForceReport, Ranking, RecordingFigures, Report, promise};
+use estimation::fit_report::{
+    FitCost, ForceReport, Ranking, RecordingFigures, Report, Tried, promise,
+};
 use estimation::model::contract::FitError;
 use estimation::recipe::{FeatureSet, Kind, Recipe, SplitKind};
 use estimation::recording::Recording;
@@ -16,8 +18,8 @@ use estimation::recording::suspect_signals::suspect_signals;
 use estimation::rows::{LabelledRows, Runs, Start};
 use estimation::split::strictest;
 use estimation::validation::{
-    ANOTHER_SESSION, Candidate, Judged, LearntModel, Splits, Tested, blend, candidates, judge,
-    rolled, rolled_r2,
+    ANOTHER_SESSION, BegunRuns, Candidate, Judged, LearntModel, Said, Splits, Tested, blend,
+    candidates, judge, rolled, rolled_r2,
 };
 use placement::points::worker_threads::in_parallel;
 use serde::{Deserialize, Serialize};
@@ -70,7 +72,14 @@ pub fn fit(recipe: &Recipe, files: &[NamedText], work: Work<'_>) -> Result<Fit, 
         .map(|rows| Splits::new(rows, recipe, runs.interval_s.1))
         .collect();
     let (rankings, failures) = judged(recipe, &rows, &splits, work)?;
-    let (models, rolled) = learnt(recipe, &rows, &splits, &rankings, work)?;
+    let elsewhere = begun_runs(recipe, (&runs, start), &rows, &splits);
+    let judged = Rankings {
+        rows: &rows,
+        splits: &splits,
+        rankings: &rankings,
+        begun: &elsewhere,
+    };
+    let (models, tried) = learnt(recipe, judged, work)?;
     let settings = runs.stream_settings(recipe, start);
     let features = runs.features(&settings, start);
     let by = splits.first().map_or(SplitKind::Cycle, |splits| splits.by);
@@ -90,8 +99,8 @@ pub fn fit(recipe: &Recipe, files: &[NamedText], work: Work<'_>) -> Result<Fit, 
     };
     let named = || runs.names.forces.iter().zip(&rankings);
     let reports: Vec<ForceReport> = named()
-        .zip(&rolled)
-        .filter_map(|((force, ranking), rolled)| ranking.report(force, *rolled))
+        .zip(&tried)
+        .filter_map(|((force, ranking), tried)| ranking.report(force, tried))
         .collect();
     let mut notes: Vec<String> = named()
         .flat_map(|(force, ranking)| ranking.notes(force))
@@ -221,55 +230,117 @@ fn judged(
     Ok((rankings.collect(), failures))
 }
 
+/// The runs that are left out of each force, begun elsewhere.
+fn begun_runs(
+    recipe: &Recipe,
+    (runs, start): (&Runs, Start),
+    rows: &[LabelledRows],
+    splits: &[Splits],
+) -> Vec<BegunRuns> {
+    let of_force = |(force, (rows, splits)): (usize, (&LabelledRows, &Splits))| {
+        BegunRuns::new((runs, force, start), rows, splits.of_runs(), recipe)
+    };
+    let forces = rows.iter().zip(splits).enumerate();
+    forces.map(of_force).collect()
+}
+
+/// All that was judged, force by force.
+#[derive(Clone, Copy)]
+struct Rankings<'a> {
+    rows: &'a [LabelledRows],
+    splits: &'a [Splits],
+    rankings: &'a [Ranking],
+    begun: &'a [BegunRuns],
+}
+
 /// Piece of the work on a model that was chosen.
 enum Piece {
     Model(Result<Box<LearntModel>, FitError>),
     Chance(Option<Tested>),
+    Begun(Option<Said>),
 }
 
-/// The chosen models, learnt from all rows, and what chance would do.
-#[allow(clippy::type_complexity, reason = "two lists of one length")]
+/// What the members of a force are, and what they said.
+#[derive(Default)]
+struct Members {
+    models: Vec<LearntModel>,
+    rolled: Vec<Tested>,
+    begun: Vec<Said>,
+}
+
+/// The chosen models, learnt from all rows; what chance would do, and what runs that begin elsewhere do to them.
 fn learnt(
     recipe: &Recipe,
-    rows: &[LabelledRows],
-    splits: &[Splits],
-    rankings: &[Ranking],
+    judged: Rankings<'_>,
     work: Work<'_>,
-) -> Result<(Vec<ForceModel>, Vec<Option<f64>>), FitFailure> {
-    let members: Vec<(usize, Candidate)> = rankings
+) -> Result<(Vec<ForceModel>, Vec<Tried>), FitFailure> {
+    let chosen = |(force, ranking): (usize, &Ranking)| {
+        let members = ranking.chosen().map(|chosen| chosen.members.clone());
+        let members = members.unwrap_or_default().into_iter();
+        members
+            .map(move |member| (force, member))
+            .collect::<Vec<_>>()
+    };
+    let members: Vec<(usize, Candidate)> = judged
+        .rankings
         .iter()
         .enumerate()
-        .filter_map(|(force, ranking)| Some((force, ranking.chosen()?)))
-        .flat_map(|(force, chosen)| chosen.members.iter().map(move |member| (force, *member)))
+        .flat_map(chosen)
         .collect();
-    // Of each member two pieces, the model and what chance would do, so that no core waits for both.
-    let pieces = 2 * members.len();
+    // Of each member three pieces, so that no core waits for all of them.
+    let pieces = 3 * members.len();
     let made = told_in_parallel(FitStage::Learning, pieces, work, |piece| {
-        let (force, member) = members[piece / 2];
-        match piece % 2 {
-            0 => Piece::Model(LearntModel::whole(member, &rows[force], recipe).map(Box::new)),
-            _ => Piece::Chance(rolled(member, &rows[force], &splits[force], recipe)),
+        let (force, member) = members[piece / 3];
+        let (rows, splits) = (&judged.rows[force], &judged.splits[force]);
+        match piece % 3 {
+            0 => Piece::Model(LearntModel::whole(member, rows, recipe).map(Box::new)),
+            1 => Piece::Chance(rolled(member, rows, splits, recipe)),
+            _ => {
+                let said = judged.begun[force].said(member, rows, splits.of_runs(), recipe);
+                Piece::Begun(said.ok())
+            }
         }
     });
-    let mut of_forces: Vec<(Vec<LearntModel>, Vec<Tested>)> = vec![Default::default(); rows.len()];
-    for ((force, _), piece) in members.iter().flat_map(|member| [member; 2]).zip(made) {
-        let (models, said) = &mut of_forces[*force];
+    let mut of_forces: Vec<Members> = judged.rows.iter().map(|_| Members::default()).collect();
+    for ((force, _), piece) in members.iter().flat_map(|member| [member; 3]).zip(made) {
+        let of_force = &mut of_forces[*force];
         match piece {
             Piece::Model(model) => {
-                models.push(*model.map_err(|error| FitFailure::Other(error.to_string()))?);
+                let model = model.map_err(|error| FitFailure::Other(error.to_string()))?;
+                of_force.models.push(*model);
             }
-            Piece::Chance(rolled) => said.extend(rolled),
+            Piece::Chance(rolled) => of_force.rolled.extend(rolled),
+            Piece::Begun(said) => of_force.begun.extend(said),
         }
     }
-    let forces = of_forces.into_iter().zip(rankings).zip(splits).zip(rows);
-    let found = forces.filter_map(|((((models, rolled), ranking), splits), rows)| {
-        // What chance would do is told of all members, or of none.
-        let whole = rolled.len() == models.len();
-        let chance = rolled_r2(&rolled).filter(|_| whole);
-        let chosen = ranking.chosen()?;
-        Some((ForceModel::of(models, chosen, splits.by, rows), chance))
-    });
-    Ok(found.unzip())
+    let forces = of_forces.into_iter().enumerate();
+    Ok(forces
+        .filter_map(|(force, members)| learnt_force(judged, force, members))
+        .unzip())
+}
+
+/// The model of a force and what was tried with it: told of all its members, or of none.
+fn learnt_force(
+    judged: Rankings<'_>,
+    force: usize,
+    members: Members,
+) -> Option<(ForceModel, Tried)> {
+    let Members {
+        models,
+        rolled,
+        begun,
+    } = members;
+    let (rows, by) = (&judged.rows[force], judged.splits[force].by);
+    let all = models.len();
+    let begun = (begun.len() == all).then_some(begun);
+    let runs = &judged.begun[force];
+    let tried = Tried {
+        rolled_r2: rolled_r2(&rolled).filter(|_| rolled.len() == all),
+        begun: begun.as_ref().and_then(|said| runs.errors(rows, said)),
+    };
+    let mut model = ForceModel::of(models, judged.rankings[force].chosen()?, by, rows);
+    model.loaded_above_n = Some(runs.loaded_above(&begun.unwrap_or_default()));
+    Some((model, tried))
 }
 
 /// Most signals that a note names.

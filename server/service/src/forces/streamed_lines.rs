@@ -136,6 +136,10 @@ impl<'e> StreamedLines<'e> {
             let column = missing.cloned().unwrap_or_default();
             return self.without_estimate(Some(row.time_s), RowState::NotANumber, &column);
         }
+        let state = match estimated.iter().any(|tick| tick.load.is_some()) {
+            true => RowState::Loaded,
+            false => state,
+        };
         *self.counts.entry(state).or_default() += 1;
         let names = &self.estimator.columns.signals;
         let line = |estimated: &Estimated| {

@@ -112,6 +112,33 @@ pub struct EstimatorDetail {
     /// The recipe as it was submitted.
     #[schema(value_type = Object)]
     pub recipe: Value,
+    /// Zero that it was given; null where recordings begin as they did when it was learnt.
+    pub zero: Option<EstimatorZero>,
+}
+
+/// Zero that an estimator was given: what its signals are without a force.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct EstimatorZero {
+    /// Recording without load that it is from.
+    pub file: String,
+    /// Time at which it was given.
+    pub set: String,
+    /// Signals' columns.
+    pub signals: Vec<String>,
+    /// Each signal's median over the recording's rows without a force, in its own unit.
+    pub zero: Vec<f64>,
+}
+
+/// Recording without load, or nothing, which forgets an earlier zero.
+#[derive(Debug, Serialize, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ZeroDocument {
+    /// Name that faults give it.
+    #[schema(min_length = 1, max_length = 200)]
+    pub file: Option<String>,
+    /// CSV: a header, then a row a line: seconds and signals; where it has forces, its rows without one count.
+    pub text: Option<String>,
 }
 
 /// A page of estimators, newest first.
@@ -186,6 +213,7 @@ impl EstimatorDetail {
         Ok(Self {
             summary,
             recipe: stored.recipe,
+            zero: None,
         })
     }
 }

@@ -66,11 +66,27 @@ impl<S: Send + Sync> FromRequestParts<S> for DocumentName {
 /// The estimator's identifier in an address.
 pub(crate) struct EstimatorId(pub String);
 
-/// The identifier of an estimator that is to be applied: `{id}:apply` is one part of an address, and routes are told apart by whole parts.
-pub(crate) struct AppliedId(pub String);
+/// Something that is done with an estimator: `{id}:apply` is one part of an address, and routes are told apart by whole parts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Verb {
+    Apply,
+    Zero,
+}
 
-/// Ending of an estimator's identifier where it is to be applied.
-const APPLY: &str = ":apply";
+impl Verb {
+    /// The verb at the end of an identifier, and the identifier.
+    fn split(id: &str) -> Option<(&str, Self)> {
+        let (id, verb) = id.rsplit_once(':')?;
+        match verb {
+            "apply" => Some((id, Self::Apply)),
+            "zero" => Some((id, Self::Zero)),
+            _ => None,
+        }
+    }
+}
+
+/// The identifier of an estimator with which something is done, and what.
+pub(crate) struct DoneWithId(pub String, pub Verb);
 
 impl<S: Send + Sync> FromRequestParts<S> for EstimatorId {
     type Rejection = Response;
@@ -78,21 +94,21 @@ impl<S: Send + Sync> FromRequestParts<S> for EstimatorId {
     async fn from_request_parts(parts: &mut Parts, state: &S) -> Result<Self, Response> {
         let id = identifier(parts, state).await;
         let id = id.map_err(IntoResponse::into_response)?;
-        if id.ends_with(APPLY) {
+        if Verb::split(&id).is_some() {
             return Err(wrong_method(&id));
         }
         Ok(Self(id))
     }
 }
 
-impl<S: Send + Sync> FromRequestParts<S> for AppliedId {
+impl<S: Send + Sync> FromRequestParts<S> for DoneWithId {
     type Rejection = Response;
 
     async fn from_request_parts(parts: &mut Parts, state: &S) -> Result<Self, Response> {
         let id = identifier(parts, state).await;
         let id = id.map_err(IntoResponse::into_response)?;
-        let applied = id.strip_suffix(APPLY).map(|id| Self(id.to_owned()));
-        applied.ok_or_else(|| wrong_method(&id))
+        let done = Verb::split(&id).map(|(id, verb)| Self(id.to_owned(), verb));
+        done.ok_or_else(|| wrong_method(&id))
     }
 }
 
@@ -114,7 +130,7 @@ pub(crate) async fn no_method(AnyEstimatorId(id): AnyEstimatorId) -> Response {
 
 /// Answers as the router does, which doesn't know these addresses apart.
 fn wrong_method(id: &str) -> Response {
-    let allowed = if id.ends_with(APPLY) {
+    let allowed = if Verb::split(id).is_some() {
         "POST"
     } else {
         "GET,HEAD,DELETE"
@@ -155,7 +171,7 @@ pub(crate) struct SweepPath {
 /// Description of an estimator's identifier.
 #[derive(Debug, IntoParams)]
 #[into_params(parameter_in = Path)]
-#[expect(dead_code, reason = "it describes; EstimatorId and AppliedId read")]
+#[expect(dead_code, reason = "it describes; EstimatorId and DoneWithId read")]
 pub(crate) struct EstimatorPath {
     /// Identifier of the estimator, as its submission answered
     #[param(example = "019aa2b3-7c4d-7e5f-8a6b-1c2d3e4f5a6d")]

@@ -6,7 +6,7 @@ use sqlx::SqlSafeStr;
 use sqlx::migrate::{Migration, MigrationType, Migrator};
 
 /// The files of `migrations`, in order, each by its number and name.
-static CHANGES: [(&str, &str); 4] = [
+static CHANGES: [(&str, &str); 5] = [
     (
         "0001_tables",
         include_str!("../../../../migrations/0001_tables.sql"),
@@ -22,6 +22,10 @@ static CHANGES: [(&str, &str); 4] = [
     (
         "0004_briefs",
         include_str!("../../../../migrations/0004_briefs.sql"),
+    ),
+    (
+        "0005_estimator_zeros",
+        include_str!("../../../../migrations/0005_estimator_zeros.sql"),
     ),
 ];
 

@@ -7,6 +7,7 @@ use sqlx::SqliteConnection;
 use crate::clock::now;
 use crate::content::{document_sha256, intact};
 use crate::queue::estimator_parts::{Part, insert_parts, insert_recordings, part, recordings};
+use crate::queue::estimator_zeros::zero;
 use crate::queue::study_rows::{State, by_state};
 use crate::row::from_row;
 use crate::seals;
@@ -299,6 +300,7 @@ pub async fn check(connection: &mut SqliteConnection, id: &str) -> Result<(), St
         row.document()?;
     }
     recordings(connection, id).await?;
+    zero(connection, id).await?;
     let is_done = row.is_some_and(|row| row.state() == State::Done);
     for kind in Part::ALL {
         if part(connection, id, kind).await?.is_some() != is_done {
@@ -318,6 +320,7 @@ pub async fn check(connection: &mut SqliteConnection, id: &str) -> Result<(), St
 pub async fn remove(connection: &mut SqliteConnection, id: &str) -> Result<(), StoreError> {
     for change in [
         "delete from estimator_keys where estimator = ?",
+        "delete from estimator_zeros where estimator = ?",
         "delete from estimator_parts where estimator = ?",
         "delete from estimator_recordings where estimator = ?",
         "delete from estimators where id = ?",
@@ -371,6 +374,7 @@ pub async fn insert_key(
 mod tests {
     use super::*;
     use crate::database::tests::fresh;
+    use crate::queue::estimator_zeros::set;
 
     async fn queued(connection: &mut SqliteConnection, name: &str) -> String {
         let recordings = [("monday.csv", "time_s,s1,fz_n\n"), ("tuesday.csv", "")];
@@ -446,6 +450,10 @@ mod tests {
                 "update estimator_parts set document = '{}' where part = 'left-out'",
                 "estimator_parts",
             ),
+            (
+                "update estimator_zeros set document = '{}'",
+                "estimator_zeros",
+            ),
         ] {
             let (_folder, store) = fresh().await;
             let mut write = store.begin().await.expect("begins");
@@ -453,6 +461,7 @@ mod tests {
             claim(&mut write, &id).await.expect("claims");
             let parts = Part::ALL.map(|part| (part, "{\"n\": 1}".to_owned()));
             finish(&mut write, &id, &parts).await.expect("ends");
+            set(&mut write, &id, "{\"n\": 2}").await.expect("stores");
             check(&mut write, &id).await.expect("is whole");
             let spoiled = sqlx::query(change).execute(&mut *write).await;
             assert_eq!(spoiled.expect("updates").rows_affected(), 1);
@@ -477,12 +486,14 @@ mod tests {
         claim(&mut write, &id).await.expect("claims");
         let parts = [(Part::Report, "{}".to_owned())];
         finish(&mut write, &id, &parts).await.expect("ends");
+        set(&mut write, &id, "{}").await.expect("stores");
         remove(&mut write, &id).await.expect("removes");
         for table in [
             "select count(*) from estimators",
             "select count(*) from estimator_recordings",
             "select count(*) from estimator_parts",
             "select count(*) from estimator_keys",
+            "select count(*) from estimator_zeros",
         ] {
             let left: i64 = sqlx::query_scalar(table)
                 .fetch_one(&mut *write)

@@ -4,13 +4,14 @@
 //! - [`turns`]: whose turn it is
 //! - [`sweep_rows`]: which study_rows are the designs of one sweep
 //! - [`listed`]: which of them a list shows
-//! - [`estimator_rows`]: estimators of forces; [`estimator_parts`]: their recordings and what was learnt
+//! - [`estimator_rows`]: estimators of forces; [`estimator_parts`]: their recordings and what was learnt; [`estimator_zeros`]: zeros that they were given
 //! - [`event_rows`]: what happened, in order
 //! - [`short_names`]: the newest of them, and those whose identifiers begin so
 //! - [`idempotency`]: keys of repeated requests
 
 pub mod estimator_parts;
 pub mod estimator_rows;
+pub mod estimator_zeros;
 pub mod event_rows;
 pub mod idempotency;
 pub mod listed;

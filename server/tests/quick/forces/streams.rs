@@ -157,6 +157,9 @@ fn a_stream_begun_loaded_is_right_once_it_has_a_zero() {
         let loaded = streamed(folder.path(), &joined(&rows[begun..])).0;
         let off = rmse(&loaded[free - begun..], &rows[free..]);
         assert!(off > 3.0 * expected, "{share}: {off} for {expected}");
+        // Offsets of sessions are 1 N apart, so that less than 3 N may be one.
+        let is_told = state(&loaded[0]) == "loaded,";
+        assert_eq!(is_told, share == 1.0, "{}", loaded[0]);
 
         let mut zeroed = rows[begun..].to_vec();
         zeroed.insert(free - begun, "zero".to_owned());
@@ -255,4 +258,26 @@ fn signals_of_two_clocks_are_estimated_as_from_a_file() {
         .collect();
     assert!(file.len() > 50);
     assert_eq!(answers, file);
+}
+
+#[test]
+fn a_file_that_begins_loaded_is_warned_of() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    fitted(folder.path());
+    let rows = clean(280);
+    let force = |row: &String| row.rsplit(',').next().and_then(|cell| cell.parse().ok());
+    let begun = rows.iter().position(|row| force(row) > Some(5.0));
+    let loaded = joined(&rows[begun.expect("a loaded row")..]);
+    std::fs::write(folder.path().join("loaded.csv"), loaded).expect("writes");
+    let apply = |options: &[&str]| {
+        let arguments = [&["force", "apply", "model.json", "loaded.csv"], options].concat();
+        let output = strainsite(folder.path(), &arguments);
+        assert_eq!(output.status.code(), Some(0));
+        text(&output.stderr).to_owned()
+    };
+    let warning = apply(&[]);
+    let begins = "loaded.csv: it begins under some ";
+    assert!(warning.starts_with(begins), "{warning}");
+    // By the zero of the model nothing is taken for nothing.
+    assert_eq!(apply(&["--start", "model"]), "");
 }

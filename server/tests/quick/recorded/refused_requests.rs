@@ -210,6 +210,7 @@ async fn questions_without_an_answer_are_refused_as_recorded() {
         (Method::POST, "/healthz"),
         (Method::GET, "/v1/estimators/none:apply"),
         (Method::PUT, "/v1/estimators/none:apply"),
+        (Method::GET, "/v1/estimators/none:zero"),
         (Method::POST, "/v1/estimators/none"),
         (Method::OPTIONS, "/v1/estimators/none"),
     ] {
@@ -223,6 +224,8 @@ async fn questions_without_an_answer_are_refused_as_recorded() {
     }
     let run = json!({"file": "friday.csv", "text": "time_s,s1,s2\n0,0.5,0.2\n"});
     let path = "/v1/estimators/none:apply";
+    session.ask(Method::POST, path, Some(&run)).await;
+    let path = "/v1/estimators/none:zero";
     session.ask(Method::POST, path, Some(&run)).await;
     let sweep = json!({"study": study(), "grid": {"geometry.wall_mm": [2.5]}});
     let sweep = app.client.post(app.url("/v1/sweeps")).json(&sweep).send();

@@ -196,6 +196,12 @@ async fn estimators(app: &App) -> Asked {
         .ask(Method::POST, &format!("{path}:apply"), Some(&run))
         .await;
     session
+        .ask(Method::POST, &format!("{path}:zero"), Some(&run))
+        .await;
+    session
+        .ask(Method::POST, &format!("{path}:zero"), Some(&json!({})))
+        .await;
+    session
         .ask(Method::GET, "/v1/estimators?state=done", None)
         .await;
     session

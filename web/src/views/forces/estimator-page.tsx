@@ -18,6 +18,7 @@ import { FitStanding } from "./fit-standing.tsx";
 import { ForceAnswers } from "./force-answers.tsx";
 import { LeftOutPanel } from "./left-out-panel.tsx";
 import { RecordingsTable } from "./recordings-table.tsx";
+import { BeginningsPanel } from "./beginnings-panel.tsx";
 import { SplitPanel } from "./split-panel.tsx";
 
 interface Props {
@@ -102,6 +103,7 @@ function OneForce(props: { estimator: EstimatorDetail; report: Report; open: Ope
   return (
     <>
       <SplitPanel force={force} choice={choice} />
+      <BeginningsPanel force={force} />
       <Loaded of={open.leftOut ?? { status: "loading" }} what="the rows that were left out" onRetry={actions.openEstimator.reopen}>
         {(forces) => {
           const rows = forces.find((left) => left.force === force.force);

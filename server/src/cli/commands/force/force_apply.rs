@@ -6,7 +6,9 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use estimation::estimator::Estimator;
 use estimation::recording::recording_fault::RecordingFault;
-use service::forces::applying::{EstimatedLines, Zero, apply, estimates_header, zero_of_recording};
+use service::forces::applying::{
+    EstimatedLines, Estimates, Zero, apply, estimates_header, measured_zero,
+};
 use service::forces::model_file::{MOST_MODEL_BYTES, read_model};
 use service::forces::recorded_texts::{MOST_RECORDING_BYTES, add};
 use service::forces::streamed_lines::{StreamedLines, stream_header};
@@ -61,7 +63,8 @@ impl Apply {
         if let Some(file) = self.start_file() {
             let text = read_any_text(file, MOST_RECORDING_BYTES).map_err(Failure::input)?;
             let name = file.display().to_string();
-            return zero_of_recording(estimator, &name, &text).map_err(refused);
+            let zero = measured_zero(estimator, &name, &text).map_err(refused)?;
+            return Ok(Zero::Known(zero));
         }
         match self.start.as_deref() {
             None => Ok(Zero::AsLearnt),
@@ -109,14 +112,22 @@ impl Apply {
             (false, _) => {
                 let text =
                     read_any_text(&self.run, MOST_RECORDING_BYTES).map_err(Failure::input)?;
-                let estimates = apply(&estimator, &self.run.display().to_string(), &text, &zero)
-                    .map_err(refused)?;
+                let Estimates { csv, begins_loaded } =
+                    apply(&estimator, &self.run.display().to_string(), &text, &zero)
+                        .map_err(refused)?;
+                warn_of(begins_loaded);
                 match &self.output {
-                    Some(path) => write(path, estimates.as_bytes()),
-                    None => print(&estimates),
+                    Some(path) => write(path, csv.as_bytes()),
+                    None => print(&csv),
                 }
             }
         }
+    }
+}
+
+fn warn_of(begins_loaded: Option<String>) {
+    if let Some(begins_loaded) = begins_loaded {
+        warn(&format!("{begins_loaded} (--start)\n"));
     }
 }
 
@@ -176,6 +187,7 @@ fn strictly_streamed(
         let estimates = lines.push(&line).map_err(refused)?;
         write_to(&mut *out, estimates.as_bytes()).map_err(Failure::other)?;
     }
+    warn_of(lines.begins_loaded());
     Ok(())
 }
 

@@ -9,6 +9,7 @@ use estimation::recipe::Kind;
 use results::columns;
 use serde_json::json;
 
+use crate::cli::commands::force::force_beginnings::beginnings;
 use crate::cli::terminal::figures::Figures;
 use crate::cli::terminal::paint::{BAD, GOOD, painted};
 
@@ -25,6 +26,9 @@ pub(crate) fn report_text(report: &Report) -> String {
     text.push('\n');
     for force in &report.forces {
         text.push_str(&models(force));
+    }
+    for force in &report.forces {
+        text.push_str(&beginnings(force));
     }
     // Writing to a text can't fail.
     let _ = writeln!(text, "{}", report.promise);

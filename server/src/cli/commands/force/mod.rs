@@ -4,9 +4,10 @@
 //! - `force_fit`: validates every model on every split, learns the best
 //! - `force_apply`: estimates of a recording, or of rows as they come
 //! - `force_record`: recordings of a virtual rig on a study's tire
-//! - `force_table`: what a fit found, for people; `recording_files`: recordings from their files
+//! - `force_table`: what a fit found, for people; `force_beginnings`: what a begin under load does; `recording_files`: recordings from their files
 
 mod force_apply;
+mod force_beginnings;
 mod force_fit;
 mod force_look;
 mod force_record;

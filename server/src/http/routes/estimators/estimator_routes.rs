@@ -15,6 +15,7 @@ use crate::http::edge::conditional;
 use crate::http::edge::extract::{EstimatorId, EstimatorPath, Params, RemovalQuery};
 use crate::http::edge::problem_document::Problem;
 use crate::http::routes::entry_list::PageQuery;
+use crate::http::routes::estimators::zero_routes::zero_of;
 use crate::http::routes::long_body::LongBody;
 use crate::http::routes::study_routes::idempotency_key;
 use service::forces::estimator_queue::UntakenError;
@@ -51,7 +52,8 @@ pub(crate) fn router() -> OpenApiRouter<AppState> {
                 ("report" = (operation_id = "estimator_report", parameters(("id" = "$response.body#/id")))),
                 ("model" = (operation_id = "estimator_model", parameters(("id" = "$response.body#/id")))),
                 ("left-out" = (operation_id = "estimator_left_out", parameters(("id" = "$response.body#/id")))),
-                ("apply" = (operation_id = "apply_estimator", parameters(("id" = "$response.body#/id"))))
+                ("apply" = (operation_id = "apply_estimator", parameters(("id" = "$response.body#/id")))),
+                ("zero" = (operation_id = "zero_estimator", parameters(("id" = "$response.body#/id"))))
             )),
         (status = 413, description = "The document has more than 64 MiB", body = ProblemDocument, content_type = "application/problem+json", example = json!(examples::too_large())),
         (status = 429, description = "Too many estimators wait already; `Retry-After` says when to look again", body = ProblemDocument, content_type = "application/problem+json",
@@ -135,7 +137,8 @@ async fn show_estimator(
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
     let row = known(&state.store, &id).await?;
-    let detail = state.estimators.detail(&row)?;
+    let mut detail = state.estimators.detail(&row)?;
+    detail.zero = zero_of(&state.store, &id).await?;
     conditional::json(&headers, &detail)
 }
 

@@ -2,11 +2,14 @@
 //!
 //! - [`look_routes`]: what recordings' columns are taken for
 //! - [`estimator_routes`]: submit, list, look at, cancel
-//! - [`learnt_routes`]: what was learnt, and estimates by it
+//! - [`learnt_routes`]: what was learnt
+//! - [`apply_routes`]: estimates by it; [`zero_routes`]: the zero that they begin with
 
+pub(crate) mod apply_routes;
 pub(crate) mod estimator_routes;
 pub(crate) mod learnt_routes;
 pub(crate) mod look_routes;
+pub(crate) mod zero_routes;
 
 use utoipa_axum::router::OpenApiRouter;
 
@@ -17,4 +20,5 @@ pub(crate) fn router() -> OpenApiRouter<AppState> {
     look_routes::router()
         .merge(estimator_routes::router())
         .merge(learnt_routes::router())
+        .merge(apply_routes::router())
 }

@@ -1,9 +1,13 @@
 //! Report of a fit: what the validation found, for people and programs.
 
+mod beginnings_report;
+
 use serde::{Deserialize, Serialize};
 
+pub use beginnings_report::{BeginningsReport, LoadedReport, RestedReport};
+
 use crate::recipe::{FeatureSet, Kind, SplitKind};
-use crate::validation::{Candidate, Judged, SplitFigures};
+use crate::validation::{BegunErrors, Candidate, Judged, SplitFigures};
 
 /// A model that isn't this much better than the training mean is useless: its RMSE must be at most this share of the mean's.
 pub(crate) const USEFUL_SHARE: f64 = 0.95;
@@ -54,6 +58,9 @@ pub struct ForceReport {
     pub chosen_features: FeatureSet,
     /// R2 of the chosen model where forces are rolled against signals: what chance would do.
     pub rolled_r2: Option<f64>,
+    /// Errors of the chosen model on left-out runs by where they begin; left out where no run was.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub beginnings: Option<BeginningsReport>,
     /// All candidates, the chosen one first, then by their error.
     pub models: Vec<ModelReport>,
 }
@@ -132,6 +139,15 @@ pub struct FitCost {
     pub wall_s: f64,
 }
 
+/// Trials of the chosen model beside the splits.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Tried {
+    /// R2 where forces are rolled against signals.
+    pub rolled_r2: Option<f64>,
+    /// Errors by where left-out runs begin.
+    pub begun: Option<BegunErrors>,
+}
+
 /// The candidates of a force, best first.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ranking {
@@ -172,13 +188,14 @@ impl Ranking {
     }
 
     /// Returns the ranking as it is told.
-    pub fn report(&self, force: &str, rolled_r2: Option<f64>) -> Option<ForceReport> {
+    pub fn report(&self, force: &str, tried: &Tried) -> Option<ForceReport> {
         let chosen = self.chosen()?.candidate;
         Some(ForceReport {
             force: force.to_owned(),
             chosen: chosen.kind,
             chosen_features: chosen.features,
-            rolled_r2,
+            rolled_r2: tried.rolled_r2,
+            beginnings: tried.begun.as_ref().map(BeginningsReport::from),
             models: self
                 .judged
                 .iter()

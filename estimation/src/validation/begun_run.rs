@@ -1,0 +1,158 @@
+//! A left-out run that begins elsewhere: under a load, or as it is zeroed after lifting.
+
+use ndarray::Array2;
+
+use crate::features::{FeatureStream, GROUPS};
+use crate::model::even_subset::even_subset;
+use crate::recording::Recording;
+use crate::recording::unloaded::{is_unloaded, largest_forces, liftings};
+
+/// Shares of a run's largest force under which it is begun.
+pub(super) const LOADS: [f64; 3] = [0.25, 0.5, 1.0];
+/// Rests between lifting and zero, s: those that the recordings have.
+pub(super) const RESTS_S: [f64; 8] = [0.0, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0];
+/// Most liftings of a run after which a rest is tried.
+const MOST_LIFTINGS: usize = 4;
+/// Most rows of a run that are estimated from one beginning.
+const MOST_ROWS: usize = 100;
+
+/// Place in a run at which it is begun.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Beginning {
+    /// Under a share of its largest force.
+    Loaded { load: usize, force: f64 },
+    /// So long after lifting, as its zero.
+    Rested { rest: usize },
+    /// Unloaded, by the zero of the other runs.
+    AtRest,
+}
+
+/// Run that is begun somewhere.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct BegunRun {
+    pub at: Beginning,
+    /// Number of the fold that leaves it out.
+    pub fold: usize,
+    /// Rows that are estimated, among those with the force.
+    pub rows: Vec<usize>,
+    /// Features of these rows, as the run begins there.
+    pub features: Array2<f64>,
+}
+
+/// Run that its fold leaves out.
+pub(super) struct LeftOutRun<'a> {
+    pub run: &'a Recording,
+    /// Number of the force.
+    pub force: usize,
+    /// Rows with the force: each in the run, and among all with the force.
+    pub labelled: Vec<(usize, usize)>,
+    /// Stream of features before its first row.
+    pub stream: FeatureStream,
+    /// Zero of the runs that are learnt from.
+    pub zero: Option<Vec<f64>>,
+}
+
+impl LeftOutRun<'_> {
+    /// Begins it at all its places.
+    pub fn begun(&self, fold: usize) -> Vec<BegunRun> {
+        let loaded = self
+            .loads()
+            .map(|(at, row)| self.begin(fold, at, row, None));
+        let zero = self.zero.as_ref();
+        let rested = self.rests();
+        let rested = rested
+            .into_iter()
+            .filter(|_| zero.is_some())
+            .map(|(rest, row)| self.begin(fold, Beginning::Rested { rest }, row, zero));
+        let mut begun: Vec<BegunRun> = loaded.chain(rested).collect();
+        begun.extend(self.at_rest(fold));
+        // A run that ends there has no rows to tell.
+        begun.retain(|begun| !begun.rows.is_empty());
+        begun
+    }
+
+    /// The first rows that are under a share of the largest force.
+    fn loads(&self) -> impl Iterator<Item = (Beginning, usize)> {
+        let most = largest_forces(self.run)[self.force];
+        let forces = self.run.forces.column(self.force);
+        let first = move |(load, share): (usize, f64)| {
+            let mut sizes = forces.iter().map(|force| force.abs());
+            let row = sizes.position(|size| size >= share * most)?;
+            let force = forces[row].abs();
+            Some((Beginning::Loaded { load, force }, row))
+        };
+        LOADS.into_iter().enumerate().filter_map(first)
+    }
+
+    /// Rows so long after a lifting, of a few liftings evenly taken.
+    fn rests(&self) -> Vec<(usize, usize)> {
+        let liftings = liftings(self.run);
+        let time_s = &self.run.time_s;
+        let of_rest = |(rest, rest_s): (usize, &f64)| {
+            let rested = |(first, last): &(usize, usize)| {
+                (*first..=*last).find(|row| time_s[*row] - time_s[*first] >= *rest_s)
+            };
+            let rows: Vec<usize> = liftings.iter().filter_map(rested).collect();
+            let taken = even_subset(rows.len(), MOST_LIFTINGS);
+            taken
+                .into_iter()
+                .map(move |place| (rest, rows[place]))
+                .collect::<Vec<_>>()
+        };
+        RESTS_S.iter().enumerate().flat_map(of_rest).collect()
+    }
+
+    /// Features from a row on: its reading is the zero. Where none is taken off, it counts by how far it is from the learnt one, if that is given.
+    fn begin(&self, fold: usize, at: Beginning, row: usize, learnt: Option<&Vec<f64>>) -> BegunRun {
+        let mut stream = self.stream.clone();
+        stream.start_at(None, learnt);
+        let after: Vec<(usize, usize)> = self
+            .labelled
+            .iter()
+            .copied()
+            .filter(|(labelled, _)| *labelled > row)
+            .collect();
+        let taken = even_subset(after.len(), MOST_ROWS);
+        let taken: Vec<(usize, usize)> = taken.into_iter().map(|place| after[place]).collect();
+        let last = taken.last().map_or(row, |(last, _)| *last);
+        let features: Vec<Vec<f64>> = (row..=last)
+            .map(|row| self.push(&mut stream, row))
+            .collect();
+        let width = GROUPS * self.run.signals.ncols();
+        let read = taken
+            .iter()
+            .flat_map(|(place, _)| features[place - row].clone());
+        BegunRun {
+            at,
+            fold,
+            features: Array2::from_shape_vec((taken.len(), width), read.collect())
+                .unwrap_or_default(),
+            rows: taken.into_iter().map(|(_, row)| row).collect(),
+        }
+    }
+
+    /// Its first row without a force, by the others' zero.
+    fn at_rest(&self, fold: usize) -> Option<BegunRun> {
+        let zero = self.zero.as_ref()?;
+        let most = largest_forces(self.run);
+        let (place, row) = self
+            .labelled
+            .iter()
+            .find(|(place, _)| is_unloaded(self.run, *place, &most))?;
+        let mut stream = self.stream.clone();
+        stream.start_at(Some(zero.clone()), Some(zero));
+        let features = self.push(&mut stream, *place);
+        Some(BegunRun {
+            at: Beginning::AtRest,
+            fold,
+            rows: vec![*row],
+            features: Array2::from_shape_vec((1, features.len()), features).unwrap_or_default(),
+        })
+    }
+
+    fn push(&self, stream: &mut FeatureStream, row: usize) -> Vec<f64> {
+        let cycle = self.run.cycle.as_ref().map(|cycle| cycle[row]);
+        let signals = self.run.signals.row(row).to_vec();
+        stream.push(self.run.time_s[row], cycle, &signals)
+    }
+}
