@@ -122,10 +122,10 @@ pub enum StartValue {
 /// Whether rows with a sample that is hardly a measurement, as it stands alone or is far beyond all others, are learnt from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Choice)]
 pub enum SuspectRows {
-    /// They are learnt from as all others.
+    /// Learnt from as all others.
     #[default]
     Keep,
-    /// They are left out of learning.
+    /// Left out of learning.
     LeaveOut,
 }
 

@@ -54,7 +54,7 @@ mod tests {
     use ndarray::Array2;
 
     use super::*;
-    use crate::recording::look::suspect_rows::SuspectRow;
+    use crate::rows::suspect_rows::SuspectRow;
     use crate::split::Place;
 
     #[test]

@@ -88,7 +88,7 @@ mod tests {
 
     use super::*;
     use crate::error_metrics::left_out::LeftOut;
-    use crate::recording::look::suspect_rows::SuspectRow;
+    use crate::rows::suspect_rows::SuspectRow;
     use crate::split::Place;
 
     const ROWS: usize = 8;

@@ -10,8 +10,8 @@ use crate::model::contract::{Effort, FitError, Prediction, Training};
 use crate::model::feature_scale::FeatureScale;
 use crate::model::fitted::{Fitted, fit};
 use crate::recipe::{FeatureSet, Kind, Recipe, SuspectRows};
-use crate::recording::look::suspect_rows::SuspectRow;
 use crate::rows::LabelledRows;
+use crate::rows::suspect_rows::SuspectRow;
 use crate::validation::candidate::Candidate;
 
 /// A model that was learnt, with the features that it reads and their scale.
@@ -33,9 +33,9 @@ const REACH: [f64; GROUPS] = [10.0, 100.0, 10.0, 100.0];
 const FEWEST_ROWS: usize = 10;
 /// Median of the sizes of normal deviates, which their median's reciprocal 1.4826 makes a deviation of.
 const NORMAL_MEDIAN: f64 = 0.6745;
-/// Values at either end that may be outliers, at least, and as one of so many.
+/// Values on either side of the median that may be outliers, at least, and as one of so many.
 const FEWEST_FAR: usize = 2;
-const ONE_FAR_OF: usize = 20;
+const ONE_FAR_OF: usize = 10;
 
 impl LearntModel {
     /// Learns scale and model from some of the rows.
@@ -154,38 +154,71 @@ fn without_outliers(
     most: f64,
 ) -> Vec<usize> {
     let values = features.select(Axis(0), train);
-    let figures: Vec<Option<(f64, f64)>> = values
+    let spreads: Vec<Option<Spread>> = values
         .columns()
         .into_iter()
         .take(signals)
-        .map(median_and_deviation)
+        .map(Spread::of)
         .collect();
-    let is_near = |(x, figures): (&f64, &Option<(f64, f64)>)| {
-        figures.is_none_or(|(median, deviation)| (x - median).abs() <= most * deviation)
+    let is_near = |(x, spread): (&f64, &Option<Spread>)| {
+        spread
+            .as_ref()
+            .is_none_or(|spread| spread.deviations(*x) <= most)
     };
-    let kept = |row: &usize| features.row(*row).iter().zip(&figures).all(is_near);
+    let kept = |row: &usize| features.row(*row).iter().zip(&spreads).all(is_near);
     train.iter().copied().filter(kept).collect()
 }
 
-/// Median and robust deviation of a signal: the median of the distances from it, over that of normal deviates, or the range without a twentieth at either end,
-/// over that of normal deviates, where it is larger: loads of a signal that rests most of the time are no outliers. None where both are 0.
-fn median_and_deviation(values: ArrayView1<'_, f64>) -> Option<(f64, f64)> {
-    let median = upper_median(values.iter().copied())?;
-    let middle = upper_median(values.iter().map(|x| (x - median).abs()))? / NORMAL_MEDIAN;
-    let mut sorted = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    let few = FEWEST_FAR.max(sorted.len() / ONE_FAR_OF);
-    let range = || Some(sorted.iter().rev().nth(few)? - sorted.get(few)?);
-    // Of n normal deviates the k + 1st from an end is near the quantile (k + 5/8) / (n + 1/4) (Blom 1958).
-    let share = (few as f64 + 0.625) / (sorted.len() as f64 + 0.25);
-    let of_normal = -2.0 * Normal::standard().inverse_cdf(share.min(0.5));
-    let wide = range().map_or(0.0, |range| range / of_normal);
-    let deviation = if wide.is_finite() {
-        middle.max(wide)
-    } else {
-        middle
+/// Median of a signal, and its robust deviations below and above it: signals that rest and are loaded go further to one side.
+struct Spread {
+    median: f64,
+    below: f64,
+    above: f64,
+}
+
+impl Spread {
+    /// Spread of these values; none of those that rest but for a few.
+    fn of(values: ArrayView1<'_, f64>) -> Option<Self> {
+        let median = upper_median(values.iter().copied())?;
+        let of_side = |sign: f64| {
+            let distances = values.iter().map(|x| sign * (x - median));
+            robust_deviation(distances.filter(|distance| *distance >= 0.0).collect())
+        };
+        let (below, above) = (of_side(-1.0), of_side(1.0));
+        // What never goes to one side is as far there as on the other.
+        let or = |deviation: f64, other: f64| if deviation > 0.0 { deviation } else { other };
+        (below.max(above) > 0.0).then_some(Self {
+            median,
+            below: or(below, above),
+            above: or(above, below),
+        })
+    }
+
+    /// Distance of a value from the median, in robust deviations.
+    fn deviations(&self, x: f64) -> f64 {
+        let side = if x < self.median {
+            self.below
+        } else {
+            self.above
+        };
+        (x - self.median).abs() / side
+    }
+}
+
+/// Deviation of normal deviates with such distances to one side of their median: by the median distance, or by what all but a tenth keep within where that
+/// is wider, as of a signal that rests most of the time.
+fn robust_deviation(mut distances: Vec<f64>) -> f64 {
+    distances.sort_by(f64::total_cmp);
+    let count = distances.len();
+    let few = FEWEST_FAR.max(count / ONE_FAR_OF);
+    let middle = distances.get(count / 2).map_or(0.0, |x| x / NORMAL_MEDIAN);
+    let Some(widest) = count.checked_sub(1 + few).map(|place| distances[place]) else {
+        return middle;
     };
-    (deviation > 0.0).then_some((median, deviation))
+    // Of n deviates the k + 1st from the end is near the quantile (k + 5/8) / (n + 1/4) (Blom 1958); both signs share it.
+    let share = (few as f64 + 0.625) / (count as f64 + 0.25);
+    let of_normal = Normal::standard().inverse_cdf(1.0 - 0.5 * share);
+    middle.max(widest / of_normal)
 }
 
 #[cfg(test)]
@@ -203,12 +236,12 @@ mod tests {
 
     #[test]
     fn outliers_are_told_by_median_and_deviations_that_they_do_not_move() {
-        // 0 to 100: the median is 50, that of the distances 25, and without five at either end the range 90.
+        // 0 to 100: the median is 50, that of the distances to either side 25; 45 of 50 keep within 45, which is 28 deviations.
         let mut signal: Vec<f64> = (0..101).map(f64::from).collect();
-        let deviation = median_and_deviation(ArrayView1::from(&signal))
-            .expect("varies")
-            .1;
-        assert!((deviation - 25.0 / 0.6745).abs() < 1e-12);
+        let spread = Spread::of(ArrayView1::from(&signal)).expect("varies");
+        for deviation in [spread.below, spread.above] {
+            assert!((deviation - 25.0 / 0.6745).abs() < 1e-12);
+        }
         // 1.36 deviations are 50.4.
         assert_eq!(kept(&signal, 1.36).len(), 101);
         assert_eq!(kept(&signal, 1.34), (1..100).collect::<Vec<_>>());
@@ -227,9 +260,12 @@ mod tests {
             };
             (0..200).map(x).collect()
         };
-        // A twentieth may be far: ten of 200.
+        // A tenth of a side may be far: ten of the 100 above the median.
         assert_eq!(kept(&rests(11), 4.0).len(), 200);
         assert_eq!(kept(&rests(10), 4.0).len(), 190);
+        // Squares of what is evenly spread go to one side.
+        let skewed: Vec<f64> = (0..100).map(|row| f64::from(row * row)).collect();
+        assert_eq!(kept(&skewed, 2.0).len(), 100);
         // One that stands still but for a few rows tells no deviation.
         let still: Vec<f64> = (0..200).map(|row| f64::from(u8::from(row < 3))).collect();
         assert_eq!(kept(&still, 4.0).len(), 200);

@@ -10,8 +10,8 @@ use estimation::fit_report::Ranking;
 use estimation::recipe::{
     FeatureSet, Features, GprSettings, Kind, Models, Recipe, SplitKind, StartValue,
 };
-use estimation::recording::look::suspect_rows::SuspectRow;
 use estimation::rows::LabelledRows;
+use estimation::rows::suspect_rows::SuspectRow;
 use estimation::split::Place;
 use estimation::validation::{Candidate, Splits, candidates, judge};
 use ndarray::{ArrayView2, Axis, concatenate};

@@ -7,4 +7,4 @@
 mod column_looks;
 pub mod converting;
 pub mod looking;
-pub mod suspect_note;
+pub(crate) mod suspect_note;

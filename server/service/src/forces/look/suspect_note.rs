@@ -15,7 +15,11 @@ use crate::forces::recorded_texts::NamedText;
 const MOST_NAMED: usize = 5;
 
 /// A sentence that names suspect samples by file, line and column, and says what becomes of their rows; none where no sample is suspect.
-pub fn suspect_note(runs: &Runs, files: &[NamedText], treated: SuspectRows) -> Option<String> {
+pub(crate) fn suspect_note(
+    runs: &Runs,
+    files: &[NamedText],
+    treated: SuspectRows,
+) -> Option<String> {
     let count: usize = runs.suspects.iter().map(Vec::len).sum();
     let mut named: Vec<String> = Vec::new();
     for (samples, file) in runs.suspects.iter().zip(files) {

@@ -2,11 +2,11 @@
 
 use ndarray::Array2;
 
-use super::suspect_samples::{MeasuredColumn, SuspectSample};
 use crate::features::{GROUPS, StreamSettings, features};
 use crate::recording::Recording;
+use crate::recording::look::suspect_samples::{MeasuredColumn, SuspectSample};
 
-/// Where suspect samples are in a row.
+/// Places of suspect samples in a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct SuspectRow {
     /// Whether one of its readings is.
@@ -19,13 +19,13 @@ pub struct SuspectRow {
 
 impl SuspectRow {
     /// Whether the row itself is suspect, by a reading or its force.
-    pub fn is_suspect(&self) -> bool {
+    pub(crate) fn is_suspect(&self) -> bool {
         self.reading || self.force
     }
 }
 
 /// Marks the rows of a run, as recorded or on a clock, whose readings are suspect, or interpolated from suspect ones; and each force's rows, rows x forces.
-pub fn suspect_rows(
+pub(crate) fn suspect_rows(
     run: &Recording,
     samples: &[SuspectSample],
     settings: &StreamSettings,

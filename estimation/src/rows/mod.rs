@@ -1,4 +1,8 @@
 //! The rows of all runs as models learn them: checked, on one clock, in cycles, with features.
+//!
+//! - [`suspect_rows`]: rows that hold what is hardly a measurement
+
+pub mod suspect_rows;
 
 use std::borrow::Cow;
 
@@ -9,12 +13,12 @@ use crate::cycles::cycles;
 use crate::error_metrics::order_statistics::upper_median;
 use crate::features::{StreamSettings, features};
 use crate::recipe::{Kind, Loss, Recipe, SplitKind, StartValue};
-use crate::recording::look::suspect_rows::{SuspectRow, suspect_rows};
 use crate::recording::look::suspect_samples::{SuspectSample, suspect_samples};
 use crate::recording::named_columns::NamedColumns;
 use crate::recording::unloaded::{begins_unloaded, is_first_a_zero, zero};
 use crate::recording::{PAUSE_INTERVALS, Recording};
 use crate::relations::learnt_relations::Relations;
+use crate::rows::suspect_rows::{SuspectRow, suspect_rows};
 use crate::split::Place;
 
 /// Fewer cycles than this in all runs tell nothing of what a new one would bring.
@@ -58,7 +62,7 @@ pub struct Runs {
     pub suspects: Vec<Vec<SuspectSample>>,
     /// Place of each row of all runs.
     places: Vec<Place>,
-    /// Where suspect samples are in each row of all runs, forces apart.
+    /// Places of suspect samples in each row of all runs, forces apart.
     suspect_rows: Vec<SuspectRow>,
     /// Whether each force of each row of all runs is suspect: rows x forces.
     suspect_forces: Array2<bool>,
@@ -73,7 +77,7 @@ pub struct LabelledRows {
     pub forces: Vec<f64>,
     /// Places of these rows.
     pub places: Vec<Place>,
-    /// Where suspect samples are in these rows.
+    /// Places of suspect samples in these rows.
     pub suspect: Vec<SuspectRow>,
 }
 
