@@ -68,24 +68,18 @@ pub struct FeatureRanges {
 }
 
 impl FeatureRanges {
-    /// The ranges of what these models read, among all features of all rows.
-    pub fn of(forces: &[ForceModel], features: &Array2<f64>) -> Option<Self> {
+    /// The ranges of what these models read, among all features of all rows of runs.
+    pub fn of(forces: &[ForceModel], runs: &Runs, features: &Array2<f64>) -> Option<Self> {
         let members = forces.iter().flat_map(|force| &force.members);
         let read = members
             .map(|member| member.features)
             .reduce(FeatureSet::with)?;
         let columns = columns(read, features.ncols() / GROUPS);
-        let range = |column| {
-            let values = features.column(column);
-            let low = values.iter().copied().fold(f64::INFINITY, f64::min);
-            (
-                low,
-                values.iter().copied().fold(f64::NEG_INFINITY, f64::max),
-            )
-        };
         Some(Self {
             features: read,
-            ranges: columns.map(range).collect(),
+            ranges: columns
+                .map(|column| runs.feature_range(features, column))
+                .collect(),
         })
     }
 
@@ -262,7 +256,8 @@ fn sharper(line: &LearntModel, judged: &Judged, by: SplitKind, rows: &LabelledRo
 
 fn another_run(judged: &Judged, by: SplitKind) -> f64 {
     judged.on(by).map_or(ANOTHER_RUN, |figures| {
-        let mean_over_model = figures.mean_rmse / figures.rmse;
+        let errors = figures.choosing();
+        let mean_over_model = errors.mean_rmse / errors.rmse;
         // Without any error there is nothing to widen.
         if mean_over_model.is_nan() {
             1.0
@@ -383,12 +378,14 @@ mod tests {
                 truth: (row + 1) as f64,
                 mean: 0.0,
                 deviation: 1.0,
+                is_suspect: false,
             })
             .collect();
         let of = |rmse: f64, by: SplitKind| {
             let figures = SplitFigures {
                 rmse,
                 mean_rmse: 6.0,
+                sound: None,
                 rmse_interval: None,
                 nrmse_percent: None,
                 mean_nrmse_percent: None,

@@ -22,11 +22,14 @@ const USUAL_SPREAD: f64 = 0.2;
 /// Degrees of freedom that this expectation is worth: two runs that happen to agree don't say that a third will.
 const USUAL_WEIGHT: usize = 2;
 
-/// Factor on the deviation by what was left out; none of no rows. Runs differ, and few are seen; cycles are many, and a run has all sorts of them.
+/// Factor on the deviation by what was left out, suspect rows apart: they are outside, where nothing is promised; none of no rows. Runs differ, and few are
+/// seen; cycles are many, and a run has all sorts of them.
 pub(crate) fn factor_by(kind: SplitKind, left_out: &[LeftOut]) -> Option<f64> {
+    let is_sound = |row: &&LeftOut| !row.is_suspect;
+    let sound: Vec<LeftOut> = left_out.iter().filter(is_sound).copied().collect();
     match kind {
-        SplitKind::Run => factor_of_runs(left_out),
-        _ => factor_of_rows(left_out),
+        SplitKind::Run => factor_of_runs(&sound),
+        _ => factor_of_rows(&sound),
     }
 }
 
@@ -137,6 +140,7 @@ mod tests {
             truth: residual,
             mean: 0.0,
             deviation,
+            is_suspect: false,
         }
     }
 

@@ -13,4 +13,6 @@ pub struct LeftOut {
     pub mean: f64,
     /// The model's standard deviation, N.
     pub deviation: f64,
+    /// Whether a reading of it or its force is suspect.
+    pub is_suspect: bool,
 }

@@ -130,6 +130,7 @@ mod tests {
                 truth,
                 mean: gain * truth + noise,
                 deviation: 1.0,
+                is_suspect: false,
             }
         })
     }

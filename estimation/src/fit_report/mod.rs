@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 pub use beginnings_report::{BeginningsReport, LoadedReport, RestedReport};
 
 use crate::recipe::{FeatureSet, Kind, SplitKind};
-use crate::validation::{BegunErrors, Candidate, Judged, SplitFigures};
+use crate::validation::{BegunErrors, Candidate, Judged, SoundErrors, SplitFigures};
 
 /// A model that isn't this much better than the training mean is useless: its RMSE must be at most this share of the mean's.
 pub(crate) const USEFUL_SHARE: f64 = 0.95;
@@ -116,6 +116,9 @@ pub struct SplitReport {
     pub by: SplitKind,
     /// Root of the mean squared error, N.
     pub rmse_n: f64,
+    /// RMSE of the tested rows that aren't suspect, which chooses, N; left out where none is suspect.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sound_rmse_n: Option<f64>,
     /// 95 % of the bootstrap's samples of whole cycles, N.
     pub rmse_interval_n: Option<(f64, f64)>,
     /// RMSE over the range of the tested forces, %.
@@ -161,7 +164,7 @@ impl Ranking {
     /// Puts the candidates in order: by their errors, but first, of those that are useful and as good as the best, the blend, or the simplest where none is; the
     /// training mean where none is useful.
     pub fn new(mut judged: Vec<Judged>, by: SplitKind) -> Self {
-        let error = |judged: &Judged| judged.on(by).map_or(f64::INFINITY, |figures| figures.rmse);
+        let error = |judged: &Judged| judged.choosing_rmse(by);
         judged.sort_by(|a, b| error(a).total_cmp(&error(b)));
         let least = judged.first().map_or(f64::INFINITY, error);
         let useful = |judged: &Judged| {
@@ -217,11 +220,17 @@ impl Ranking {
                 .filter(|judged| judged.candidate.kind != Kind::Mean)
                 .find_map(|judged| judged.on(self.by));
             let best = best.map_or(String::new(), |best| {
-                format!(": the best model is off by {:.3} N", best.rmse)
+                format!(": the best model is off by {:.3} N", best.choosing().rmse)
             });
             notes.push(format!(
                 "{force}: useless. No model is 5 % better than the training mean, which is off by {:.3} N{best}; the mean is given",
-                figures.mean_rmse
+                figures.choosing().mean_rmse
+            ));
+        }
+        if let Some(sound) = figures.sound {
+            notes.push(format!(
+                "{force}: off by {:.3} N in the tested rows that aren't suspect, which chose the model; the RMSE holds the suspect ones, too",
+                sound.rmse
             ));
         }
         if let Some(reasons) = self.chosen().map(|chosen| &chosen.splits) {
@@ -236,7 +245,8 @@ impl Ranking {
 }
 
 fn is_useful(figures: &SplitFigures) -> bool {
-    figures.rmse <= USEFUL_SHARE * figures.mean_rmse
+    let SoundErrors { rmse, mean_rmse } = figures.choosing();
+    rmse <= USEFUL_SHARE * mean_rmse
 }
 
 fn model_report(judged: &Judged, by: SplitKind) -> Option<ModelReport> {
@@ -244,7 +254,7 @@ fn model_report(judged: &Judged, by: SplitKind) -> Option<ModelReport> {
     let of_split = |kind: SplitKind| judged.on(kind).map(|figures| split_report(kind, figures));
     let random = judged
         .on(SplitKind::Random)
-        .filter(|random| random.rmse > 0.0);
+        .filter(|random| random.choosing().rmse > 0.0);
     let strict = [SplitKind::Run, SplitKind::Cycle]
         .into_iter()
         .find_map(|kind| judged.on(kind));
@@ -265,7 +275,7 @@ fn model_report(judged: &Judged, by: SplitKind) -> Option<ModelReport> {
         },
         leak_factor: strict
             .zip(random)
-            .map(|(strict, random)| strict.rmse / random.rmse),
+            .map(|(strict, random)| strict.choosing().rmse / random.choosing().rmse),
         better_than_mean: judged.candidate.kind != Kind::Mean && is_useful(figures),
     })
 }
@@ -281,6 +291,7 @@ fn split_report(by: SplitKind, figures: &SplitFigures) -> SplitReport {
     SplitReport {
         by,
         rmse_n: figures.rmse,
+        sound_rmse_n: figures.sound.map(|sound| sound.rmse),
         rmse_interval_n: figures.rmse_interval,
         nrmse_percent: figures.nrmse_percent,
         mean_nrmse_percent: figures.mean_nrmse_percent,
@@ -315,6 +326,7 @@ mod tests {
             let figures = SplitFigures {
                 rmse: *rmse,
                 mean_rmse: 1.0,
+                sound: None,
                 rmse_interval: None,
                 nrmse_percent: None,
                 mean_nrmse_percent: None,

@@ -59,6 +59,9 @@ pub enum FitError {
     /// A covariance or normal matrix has no Cholesky factor.
     #[error("the {0} has no Cholesky factor: features are equal or too large")]
     NotPositive(&'static str),
+    /// Too few rows aren't left out.
+    #[error("fewer than 10 rows are learnt from once suspect ones and outliers are left out")]
+    TooFew,
     /// No network has a finite loss.
     #[error("no network has a finite loss")]
     NoLoss,

@@ -177,6 +177,7 @@ impl LeftOutParts {
                     truth: training.forces[*row],
                     mean: line.mean + moved.map(|((x, c), w)| w * (x - c)).sum::<f64>(),
                     deviation: 1.0,
+                    is_suspect: false,
                 });
             }
         }

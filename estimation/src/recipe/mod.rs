@@ -21,7 +21,7 @@ use time_unit::TimeUnit;
 
 const SECONDS: Range = Range::new(1e-6, 1e9, "s");
 const HERTZ: Range = Range::new(1e-6, 1e6, "Hz");
-const DEVIATIONS: Range = Range::new(1.0, 1000.0, "standard deviations");
+const DEVIATIONS: Range = Range::new(1.0, 1000.0, "robust deviations");
 const DECAY: Range = Range::new(0.0, 1e6, "");
 const TIME_CONSTANT: Range = Range::new(0.0, 1e9, "s");
 const MOST_WINDOW: u64 = 10_000;
@@ -87,9 +87,13 @@ pub struct Preprocess {
     /// Rows of the moving average; 1 for none.
     #[field(default = 1, within = (1, MOST_WINDOW))]
     pub smooth_rows: usize,
-    /// Rows with a signal further than so many standard deviations from its mean aren't learnt from; none keeps all.
+    /// Rows with a signal further than so many robust deviations from its median aren't learnt from; none keeps all. All are tested.
     #[field(within = DEVIATIONS)]
     pub outlier_z: Option<f64>,
+    /// Whether rows that hold a suspect sample, themselves or in a window, are learnt from. All are tested.
+    #[field(default = SuspectRows::Keep)]
+    #[serde(default)]
+    pub suspect_rows: SuspectRows,
     /// Method that brings features to one scale.
     #[field(default = Scale::Standardise)]
     pub scale: Scale,
@@ -113,6 +117,16 @@ pub enum StartValue {
     Keep,
     /// Each run's median without a force taken off, which takes forces that are measured as none; of what is estimated later the first reading, or `--start`.
     Unloaded,
+}
+
+/// Whether rows with a sample that is hardly a measurement, as it stands alone or is far beyond all others, are learnt from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Choice)]
+pub enum SuspectRows {
+    /// Learnt from as all others.
+    #[default]
+    Keep,
+    /// Left out of learning.
+    LeaveOut,
 }
 
 /// Answer to a row of a stream that isn't estimated from, as it is late, cut or no number.
@@ -410,6 +424,7 @@ mod tests {
             rate_hz = 200
             smooth_rows = 3
             outlier_z = 4
+            suspect_rows = "leave-out"
             scale = "normalise"
             pause_s = 0.5
             [features]
@@ -440,6 +455,7 @@ mod tests {
         assert_eq!(read.columns.cycles, CycleRule::ThresholdN(0.5));
         assert_eq!(read.columns.forces, Some(vec!["fz".to_owned()]));
         assert_eq!(read.preprocess.rate_hz, Some(200.0));
+        assert_eq!(read.preprocess.suspect_rows, SuspectRows::LeaveOut);
         assert_eq!(read.features.sets, [FeatureSet::Raw, FeatureSet::All]);
         assert_eq!(read.models.gpr.lengths, Lengths::Each);
         assert_eq!(read.models.ann.layers, [5]);

@@ -6,7 +6,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 
 use crate::features::{GROUPS, MEANS, VALUES};
-use crate::rows::LabelledRows;
+use crate::rows::{LabelledRows, range_of_sound};
 
 /// Standard deviation of the offsets by which signals of left-out rows are moved where one run was recorded, as a share of their ranges: another
 /// session's instruments read so far off at the best of times, and a force that hangs on small differences of large signals must show it.
@@ -23,8 +23,7 @@ impl Session {
     pub(super) fn new(rows: &LabelledRows, seed: u64) -> Self {
         let signals = rows.features.ncols() / GROUPS;
         let range = |column: ArrayView1<'_, f64>| {
-            let low = column.iter().copied().fold(f64::INFINITY, f64::min);
-            let high = column.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+            let (low, high) = range_of_sound(&column, &rows.suspect, VALUES);
             high - low
         };
         let columns = rows.features.columns();
@@ -55,6 +54,7 @@ mod tests {
     use ndarray::Array2;
 
     use super::*;
+    use crate::rows::suspect_rows::SuspectRow;
     use crate::split::Place;
 
     #[test]
@@ -73,6 +73,7 @@ mod tests {
                 };
                 2
             ],
+            suspect: vec![SuspectRow::default(); 2],
         };
         let session = Session::new(&rows, 1);
         let moved = |row: usize| {

@@ -195,10 +195,10 @@ fn runs_of(rows: &LabelledRows, of: &[usize]) -> Vec<usize> {
     runs
 }
 
-/// Rows of a run with the force: the row in the run, and that among all with the force.
+/// Rows of a run with the force, suspect ones apart: the row in the run, and that among all with the force.
 fn labelled(rows: &LabelledRows, run: usize) -> Vec<(usize, usize)> {
     let places = rows.places.iter().enumerate();
-    let of_run = places.filter(|(_, place)| place.run == run);
+    let of_run = places.filter(|(row, place)| place.run == run && !rows.suspect[*row].is_suspect());
     of_run.map(|(row, place)| (place.row, row)).collect()
 }
 
@@ -314,6 +314,7 @@ mod tests {
             features: Array2::zeros((0, 4)),
             forces: Vec::new(),
             places: Vec::new(),
+            suspect: Vec::new(),
         };
         assert_eq!(none.errors(&rows, &[]), None);
         assert_eq!(none.loaded_above(&[]), 2.0 * LOADED * MOST);

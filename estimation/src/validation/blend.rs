@@ -44,7 +44,7 @@ pub fn blend(
 
 /// Returns those that take part, best first.
 fn members(judged: &[Judged], by: SplitKind) -> Vec<&Judged> {
-    let error = |judged: &Judged| judged.on(by).map_or(f64::INFINITY, |figures| figures.rmse);
+    let error = |judged: &Judged| judged.choosing_rmse(by);
     let mut models: Vec<&Judged> = judged
         .iter()
         .filter(|judged| judged.candidate.kind != Kind::Mean)
@@ -88,6 +88,7 @@ mod tests {
 
     use super::*;
     use crate::error_metrics::left_out::LeftOut;
+    use crate::rows::suspect_rows::SuspectRow;
     use crate::split::Place;
 
     const ROWS: usize = 8;
@@ -103,6 +104,7 @@ mod tests {
             features: Array2::zeros((ROWS, 4)),
             forces: (0..ROWS).map(|row| row as f64).collect(),
             places: (0..ROWS).map(place).collect(),
+            suspect: vec![SuspectRow::default(); ROWS],
         }
     }
 
@@ -115,6 +117,7 @@ mod tests {
             truth: rows.forces[row],
             mean: rows.forces[row] + error,
             deviation: 2.0,
+            is_suspect: false,
         };
         let tested = Tested {
             left_out: (0..ROWS).map(left_out).collect(),

@@ -36,6 +36,12 @@ impl Judged {
         Some(&self.outcome(split)?.figures)
     }
 
+    /// RMSE that chooses, N: infinite where the split wasn't made.
+    pub fn choosing_rmse(&self, split: SplitKind) -> f64 {
+        self.on(split)
+            .map_or(f64::INFINITY, |figures| figures.choosing().rmse)
+    }
+
     /// Returns what it said of rows that it hadn't learnt from; nothing where the split wasn't made.
     pub fn left_out(&self, split: SplitKind) -> &[LeftOut] {
         self.outcome(split)

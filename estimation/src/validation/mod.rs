@@ -29,4 +29,4 @@ pub use fit_time::{FitSizes, FitTime, fit_time};
 pub use judged::{Judged, Outcome, judge, rolled, rolled_r2};
 pub use learnt_model::LearntModel;
 pub use split_set::Splits;
-pub use tested_rows::{MOST_TESTED, SplitFigures, Tested};
+pub use tested_rows::{MOST_TESTED, SoundErrors, SplitFigures, Tested};

@@ -29,10 +29,32 @@ pub struct SplitFigures {
     pub mean_nrmse_percent: Option<f64>,
     /// RMSE of the training mean, N.
     pub mean_rmse: f64,
+    /// Errors of the tested rows that aren't suspect; none where none is.
+    pub sound: Option<SoundErrors>,
     /// Coefficient of determination.
     pub r2: Option<f64>,
     /// Intervals whose factor was learnt from other groups.
     pub intervals: Option<Fared>,
+}
+
+/// Errors of the tested rows that aren't suspect.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SoundErrors {
+    /// RMSE of the model, N.
+    pub rmse: f64,
+    /// RMSE of the training mean, N.
+    pub mean_rmse: f64,
+}
+
+impl SplitFigures {
+    /// Errors that choose: those of sound rows. Of a wrong reference, or a lone wrong reading, each model is as far off as it likes.
+    pub fn choosing(&self) -> SoundErrors {
+        let all = SoundErrors {
+            rmse: self.rmse,
+            mean_rmse: self.mean_rmse,
+        };
+        self.sound.unwrap_or(all)
+    }
 }
 
 /// Predictions of all tested rows: the same rows in the same order, whoever makes them.
@@ -64,8 +86,7 @@ impl Tested {
             .then(|| Session::new(rows, recipe.models.seed));
         for fold in folds {
             let model = LearntModel::learn(candidate, rows, &fold.train, recipe, Effort::Fold)?;
-            let mean = fold.train.iter().map(|row| rows.forces[*row]).sum::<f64>()
-                / fold.train.len() as f64;
+            let mean = mean_force(rows, &fold.train);
             let test = even_subset(fold.test.len(), MOST_TESTED / folds.len());
             for row in test.into_iter().map(|place| &fold.test[place]) {
                 let mut features = rows.features.row(*row).to_vec();
@@ -87,6 +108,7 @@ impl Tested {
                     truth: rows.forces[*row],
                     mean: estimate,
                     deviation,
+                    is_suspect: rows.suspect[*row].is_suspect(),
                 });
                 tested.means.push(mean);
             }
@@ -139,8 +161,39 @@ impl Tested {
             nrmse_percent: nrmse_percent(&truth, error),
             mean_nrmse_percent: nrmse_percent(&truth, mean_rmse),
             mean_rmse,
+            sound: self.sound_errors(),
             r2: r2(&truth, &estimate),
             intervals: fared(&self.left_out, |rows| factor_by(kind, rows)),
         }
     }
+
+    fn sound_errors(&self) -> Option<SoundErrors> {
+        let pairs = self.left_out.iter().zip(&self.means);
+        let sound: Vec<(f64, f64, f64)> = pairs
+            .filter(|(row, _)| !row.is_suspect)
+            .map(|(row, mean)| (row.truth, row.mean, *mean))
+            .collect();
+        if sound.is_empty() || sound.len() == self.left_out.len() {
+            return None;
+        }
+        let of = |number: fn(&(f64, f64, f64)) -> f64| -> Vec<f64> {
+            sound.iter().map(number).collect()
+        };
+        let truth = of(|row| row.0);
+        Some(SoundErrors {
+            rmse: rmse(&truth, &of(|row| row.1)),
+            mean_rmse: rmse(&truth, &of(|row| row.2)),
+        })
+    }
+}
+
+/// Mean of the forces that are learnt from, N, suspect ones apart: what every model has to beat.
+fn mean_force(rows: &LabelledRows, train: &[usize]) -> f64 {
+    let mean = |meant: &[usize]| {
+        let sum: f64 = meant.iter().map(|row| rows.forces[*row]).sum();
+        sum / meant.len() as f64
+    };
+    let is_sound = |row: &usize| !rows.suspect[*row].force;
+    let sound: Vec<usize> = train.iter().copied().filter(is_sound).collect();
+    mean(if sound.is_empty() { train } else { &sound })
 }

@@ -2,5 +2,6 @@
 
 mod fuzzed;
 mod process;
+mod spiked;
 mod virtual_rig;
 mod whole;

@@ -83,7 +83,7 @@ fn fitted(recipe: &Recipe, recordings: Vec<Recording>) -> (Estimator, Ranking, R
         zero: runs.zero(),
         interval_s: runs.interval_s,
         ranges: runs.ranges(&features),
-        feature_ranges: FeatureRanges::of(&forces, &features),
+        feature_ranges: FeatureRanges::of(&forces, &runs, &features),
         relations: runs.relations(),
         promise: splits.by,
         forces,

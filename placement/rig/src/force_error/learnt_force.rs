@@ -11,6 +11,7 @@ use estimation::recipe::{
     FeatureSet, Features, GprSettings, Kind, Models, Recipe, SplitKind, StartValue,
 };
 use estimation::rows::LabelledRows;
+use estimation::rows::suspect_rows::SuspectRow;
 use estimation::split::Place;
 use estimation::validation::{Candidate, Splits, candidates, judge};
 use ndarray::{ArrayView2, Axis, concatenate};
@@ -83,6 +84,8 @@ pub fn labelled(runs: &[ThinnedRun], axis: usize) -> LabelledRows {
             .enumerate()
             .flat_map(|(run, rows)| places(run, rows))
             .collect(),
+        // Films of a computed tire have no lone samples.
+        suspect: vec![SuspectRow::default(); runs.iter().map(|run| run.time_s.len()).sum()],
     }
 }
 

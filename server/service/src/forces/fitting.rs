@@ -25,6 +25,7 @@ use placement::points::worker_threads::in_parallel;
 use serde::{Deserialize, Serialize};
 use store::content::sha256;
 
+use crate::forces::look::suspect_note::suspect_note;
 use crate::forces::recorded_texts::{NamedText, read_runs};
 use crate::wire::estimator_wire::{FitProgress, FitStage, LeftOutRows};
 
@@ -91,7 +92,7 @@ pub fn fit(recipe: &Recipe, files: &[NamedText], work: Work<'_>) -> Result<Fit, 
         zero: runs.zero(),
         interval_s: runs.interval_s,
         ranges: runs.ranges(&features),
-        feature_ranges: FeatureRanges::of(&models, &features),
+        feature_ranges: FeatureRanges::of(&models, &runs, &features),
         relations: runs.relations(),
         promise: by,
         recipe: recipe.clone(),
@@ -108,6 +109,8 @@ pub fn fit(recipe: &Recipe, files: &[NamedText], work: Work<'_>) -> Result<Fit, 
     let failed =
         |(force, failure): &(usize, String)| format!("{}: {failure}", runs.names.forces[*force]);
     notes.extend(failures.iter().map(failed));
+    let treated = recipe.preprocess.suspect_rows;
+    notes.extend(suspect_note(&runs, files, treated));
     notes.extend(more_notes(&runs, start, recipe));
     let report = Report {
         recordings: figures_of(&runs, files),
@@ -160,7 +163,7 @@ fn start(recipe: &Recipe, runs: &Runs, work: Work<'_>) -> Start {
         let judged = judge(candidate, rows, &splits, recipe, false).ok()?;
         judged
             .on(splits.by)
-            .map(|figures| figures.rmse / figures.mean_rmse)
+            .map(|figures| figures.choosing().rmse / figures.choosing().mean_rmse)
     });
     // The better of the two models, summed over forces.
     let of_way = |way: usize| -> f64 {

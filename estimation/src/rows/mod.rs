@@ -1,4 +1,10 @@
 //! The rows of all runs as models learn them: checked, on one clock, in cycles, with features.
+//!
+//! - [`suspect_rows`]: rows that hold what is hardly a measurement
+
+pub mod suspect_rows;
+
+use std::borrow::Cow;
 
 use ndarray::{Array2, ArrayView1, Axis, concatenate};
 
@@ -7,10 +13,12 @@ use crate::cycles::cycles;
 use crate::error_metrics::order_statistics::upper_median;
 use crate::features::{StreamSettings, features};
 use crate::recipe::{Kind, Loss, Recipe, SplitKind, StartValue};
+use crate::recording::look::suspect_samples::{SuspectSample, suspect_samples};
 use crate::recording::named_columns::NamedColumns;
 use crate::recording::unloaded::{begins_unloaded, is_first_a_zero, zero};
 use crate::recording::{PAUSE_INTERVALS, Recording};
 use crate::relations::learnt_relations::Relations;
+use crate::rows::suspect_rows::{SuspectRow, suspect_rows};
 use crate::split::Place;
 
 /// Fewer cycles than this in all runs tell nothing of what a new one would bring.
@@ -50,8 +58,14 @@ pub struct Runs {
     pub interval_s: (f64, f64),
     /// A longer time between rows is a pause, s.
     pub pause_s: f64,
+    /// Suspect samples of each run, as recorded.
+    pub suspects: Vec<Vec<SuspectSample>>,
     /// Place of each row of all runs.
     places: Vec<Place>,
+    /// Places of suspect samples in each row of all runs, forces apart.
+    suspect_rows: Vec<SuspectRow>,
+    /// Whether each force of each row of all runs is suspect: rows x forces.
+    suspect_forces: Array2<bool>,
 }
 
 /// Rows with one force.
@@ -63,6 +77,8 @@ pub struct LabelledRows {
     pub forces: Vec<f64>,
     /// Places of these rows.
     pub places: Vec<Place>,
+    /// Places of suspect samples in these rows.
+    pub suspect: Vec<SuspectRow>,
 }
 
 impl Runs {
@@ -83,6 +99,7 @@ impl Runs {
         let greatest = intervals.iter().copied().fold(0.0, f64::max);
         let usual = PAUSE_INTERVALS * upper_median(intervals.iter().copied()).unwrap_or(1.0);
         let pause_s = recipe.preprocess.pause_s.unwrap_or(usual);
+        let suspects: Vec<Vec<SuspectSample>> = recordings.iter().map(suspect_samples).collect();
         let runs: Vec<Recording> = match recipe.preprocess.rate_hz {
             Some(rate_hz) => recordings
                 .iter()
@@ -91,19 +108,35 @@ impl Runs {
             None => recordings,
         };
         let places = places(&runs, recipe);
-        let found = Self {
+        let mut found = Self {
             names,
             runs,
             interval_s: (least, greatest),
             pause_s,
+            suspects,
             places,
+            suspect_rows: Vec::new(),
+            suspect_forces: Array2::default((0, 0)),
         };
+        found.mark_suspects(recipe);
         let refusals = found.refusals(recipe);
         if refusals.is_empty() {
             Ok(found)
         } else {
             Err(refusals)
         }
+    }
+
+    fn mark_suspects(&mut self, recipe: &Recipe) {
+        // Nothing that is taken off or turned moves a window.
+        let settings = self.stream_settings(recipe, Start::Kept);
+        let pairs = self.runs.iter().zip(&self.suspects);
+        let (rows, forces): (Vec<Vec<SuspectRow>>, Vec<Array2<bool>>) = pairs
+            .map(|(run, samples)| suspect_rows(run, samples, &settings))
+            .unzip();
+        let forces: Vec<_> = forces.iter().map(|forces| forces.view()).collect();
+        self.suspect_rows = rows.concat();
+        self.suspect_forces = concatenate(Axis(0), &forces).unwrap_or_default();
     }
 
     fn refusals(&self, recipe: &Recipe) -> Vec<Refusal> {
@@ -214,11 +247,26 @@ impl Runs {
 
     /// Features of all rows of all runs, with this taken off; a run without an unloaded row has its first reading taken off.
     pub fn features(&self, settings: &StreamSettings, start: Start) -> Array2<f64> {
-        let of_run = |run: &Recording| {
-            let zero = zero(run).filter(|_| start == Start::Unloaded);
-            features(run, settings, zero)
+        let of_run = |(run, sound): (&Recording, Cow<'_, Recording>)| {
+            let off = match start {
+                Start::Kept => None,
+                // The first reading, unless that is a spike.
+                Start::First => sound
+                    .signals
+                    .rows()
+                    .into_iter()
+                    .next()
+                    .map(|row| row.to_vec()),
+                Start::Unloaded => zero(&sound),
+            };
+            features(run, settings, off)
         };
-        let of_runs: Vec<Array2<f64>> = self.runs.iter().map(of_run).collect();
+        let of_runs: Vec<Array2<f64>> = self
+            .runs
+            .iter()
+            .zip(self.sound_runs())
+            .map(of_run)
+            .collect();
         let views: Vec<_> = of_runs.iter().map(|features| features.view()).collect();
         concatenate(Axis(0), &views).unwrap_or_default()
     }
@@ -245,12 +293,19 @@ impl Runs {
             features: features.select(Axis(0), &rows),
             forces: rows.iter().map(|row| all[*row]).collect(),
             places: rows.iter().map(|row| self.places[*row]).collect(),
+            suspect: rows
+                .iter()
+                .map(|row| SuspectRow {
+                    force: self.suspect_forces[[*row, force]],
+                    ..self.suspect_rows[*row]
+                })
+                .collect(),
         }
     }
 
     /// Whether every run begins unloaded: then its first reading is what the signals are without a force.
     pub fn begin_unloaded(&self) -> bool {
-        self.runs.iter().all(begins_unloaded)
+        self.sound_runs().all(|run| begins_unloaded(&run))
     }
 
     /// Returns what is taken off; None where left-out runs are to tell.
@@ -259,10 +314,10 @@ impl Runs {
             StartValue::Subtract => Some(Start::First),
             StartValue::Keep => Some(Start::Kept),
             StartValue::Unloaded => Some(Start::Unloaded),
-            StartValue::Auto => match self.runs.as_slice() {
-                [one] if is_first_a_zero(one) => Some(Start::First),
-                [_] => Some(Start::Kept),
-                _ => None,
+            StartValue::Auto if self.runs.len() > 1 => None,
+            StartValue::Auto => match self.sound_runs().all(|run| is_first_a_zero(&run)) {
+                true => Some(Start::First),
+                false => Some(Start::Kept),
             },
         }
     }
@@ -274,34 +329,77 @@ impl Runs {
 
     /// The zero of the runs but these.
     pub(crate) fn zero_without(&self, left_out: &[usize]) -> Option<Vec<f64>> {
-        let runs = self.runs.iter().enumerate();
+        let runs = self.sound_runs().enumerate();
         let others = runs.filter(|(number, _)| !left_out.contains(number));
-        let zeros: Vec<Vec<f64>> = others.filter_map(|(_, run)| zero(run)).collect();
+        let zeros: Vec<Vec<f64>> = others.filter_map(|(_, run)| zero(&run)).collect();
         let of_signal = |signal: usize| upper_median(zeros.iter().map(|zero| zero[signal]));
         (0..self.names.signals.len()).map(of_signal).collect()
     }
 
     /// Returns what the signals say of each other.
     pub fn relations(&self) -> Option<Relations> {
-        let signals: Vec<&Array2<f64>> = self.runs.iter().map(|run| &run.signals).collect();
+        let runs: Vec<Cow<'_, Recording>> = self.sound_runs().collect();
+        let signals: Vec<&Array2<f64>> = runs.iter().map(|run| &run.signals).collect();
         Relations::learn(&signals)
+    }
+
+    /// The runs without their suspect rows.
+    fn sound_runs(&self) -> impl Iterator<Item = Cow<'_, Recording>> {
+        let mut before = 0;
+        self.runs.iter().map(move |run| {
+            let first = before;
+            before += run.rows();
+            let is_sound = |row: &usize| {
+                let mut forces = self.suspect_forces.row(first + row).into_iter();
+                !self.suspect_rows[first + row].reading && !forces.any(|force| *force)
+            };
+            let sound: Vec<usize> = (0..run.rows()).filter(is_sound).collect();
+            if sound.len() == run.rows() {
+                return Cow::Borrowed(run);
+            }
+            let cycle = run.cycle.as_ref();
+            Cow::Owned(Recording {
+                name: run.name.clone(),
+                time_s: sound.iter().map(|row| run.time_s[*row]).collect(),
+                signals: run.signals.select(Axis(0), &sound),
+                forces: run.forces.select(Axis(0), &sound),
+                cycle: cycle.map(|cycle| sound.iter().map(|row| cycle[*row]).collect()),
+            })
+        })
     }
 
     /// Least and greatest value of each signal, as models are given it: the first group of all features.
     pub fn ranges(&self, features: &Array2<f64>) -> Vec<(f64, f64)> {
-        let range = |column: ArrayView1<'_, f64>| {
-            let low = column.iter().copied().fold(f64::INFINITY, f64::min);
-            (
-                low,
-                column.iter().copied().fold(f64::NEG_INFINITY, f64::max),
-            )
-        };
-        features
-            .columns()
-            .into_iter()
-            .take(self.names.signals.len())
-            .map(range)
+        let signals = 0..self.names.signals.len();
+        signals
+            .map(|column| self.feature_range(features, column))
             .collect()
+    }
+
+    /// Least and greatest value of a feature, by its column among all features, in all rows without a suspect reading in its window.
+    pub fn feature_range(&self, features: &Array2<f64>, column: usize) -> (f64, f64) {
+        let group = column / self.names.signals.len().max(1);
+        range_of_sound(&features.column(column), &self.suspect_rows, group)
+    }
+}
+
+/// Least and greatest of a feature's values, of rows in whose windows no suspect reading is; of all rows where there is no other.
+pub(crate) fn range_of_sound(
+    values: &ArrayView1<'_, f64>,
+    suspect: &[SuspectRow],
+    group: usize,
+) -> (f64, f64) {
+    let range = |values: &mut dyn Iterator<Item = f64>| {
+        values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
+            (low.min(x), high.max(x))
+        })
+    };
+    let pairs = values.iter().zip(suspect);
+    let sound = pairs.filter(|(_, suspect)| !suspect.groups[group]);
+    let found = range(&mut sound.map(|(x, _)| *x));
+    match found.0 <= found.1 {
+        true => found,
+        false => range(&mut values.iter().copied()),
     }
 }
 
