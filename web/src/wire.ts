@@ -2082,6 +2082,7 @@ export interface components {
              *       "start_value": "auto",
              *       "turn_sign": false,
              *       "smooth_rows": 1,
+             *       "suspect_rows": "keep",
              *       "scale": "standardise",
              *       "bad_rows": "null"
              *     }
@@ -2684,6 +2685,11 @@ export interface components {
              * @description Root of the mean squared error, N.
              */
             rmse_n: number;
+            /**
+             * Format: double
+             * @description RMSE of the tested rows that aren't suspect, which chooses, N; left out where none is suspect.
+             */
+            sound_rmse_n?: number | null;
             /** @description 95 % of the bootstrap's samples of whole cycles, N. */
             rmse_interval_n?: number[] | null;
             /**
@@ -4776,8 +4782,14 @@ export interface components {
              * @default 1
              */
             smooth_rows: number;
-            /** @description Rows with a signal further than so many standard deviations from its mean aren't learnt from; none keeps all. */
+            /** @description Rows with a signal further than so many robust deviations from its median aren't learnt from; none keeps all. All are tested. */
             outlier_z?: number;
+            /**
+             * @description Whether rows that hold a suspect sample, themselves or in a window, are learnt from. All are tested. `keep`: Learnt from as all others. `leave-out`: Left out of learning.
+             * @default keep
+             * @enum {string}
+             */
+            suspect_rows: "keep" | "leave-out";
             /**
              * @description Method that brings features to one scale. `standardise`: Mean 0, standard deviation 1. `normalise`: Range from 0 to 1. `off`: Features as they are.
              * @default standardise

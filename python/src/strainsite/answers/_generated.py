@@ -2149,6 +2149,8 @@ class SplitReport:
     """The split. One of `random`, `cycle`, `run`, `time`, `frequency`."""
     rmse_n: float
     """Root of the mean squared error, N."""
+    sound_rmse_n: float | None = None
+    """RMSE of the tested rows that aren't suspect, which chooses, N; left out where none is suspect."""
     rmse_interval_n: tuple[float, float] | None = None
     """95 % of the bootstrap's samples of whole cycles, N."""
     nrmse_percent: float | None = None
