@@ -5,8 +5,6 @@
 //! that may hold some of the mass are then cut into thirds, ninths or more, until a part is no wider than two standard deviations of the likelihood there: sums
 //! of a bell over such steps are off by 1.4 %, and shift its mean by a twentieth of its deviation, at most.
 
-use std::collections::HashMap;
-
 use ndarray::{Array2, ArrayView1};
 
 use crate::arrangement::Arrangement;
@@ -16,6 +14,9 @@ use crate::simulate::turned_products::{Functions, TurnedProducts};
 
 /// Distance below the largest ln p at which a part holds nothing: exp(-16) of it.
 const NEGLIGIBLE: f64 = 16.0;
+
+/// A part of an angle whose products weren't asked for.
+const NONE: usize = usize::MAX;
 
 /// Estimates angle and depth from readings of one layout.
 pub struct Estimator<'l> {
@@ -32,13 +33,19 @@ pub struct Estimator<'l> {
 }
 
 /// Parts of the grid that were looked at after one set of readings.
-struct Found {
+struct Found<'r> {
+    /// A reading of each film.
+    readings: &'r [f64],
+    /// Their squares.
+    squares: &'r [f64],
     /// Largest ln p so far.
     largest: f64,
-    /// Values of the products' functions by part of an angle.
-    products: HashMap<usize, Vec<f64>>,
+    /// Begin of each angle's values among the products; `NONE` where they weren't asked for.
+    firsts: Vec<usize>,
+    /// Values of the products' functions, part after part.
+    products: Vec<f64>,
     /// Logarithm of the mass of each point, and its parts along angle and depth.
-    points: Vec<(f64, usize, usize)>,
+    points: Vec<(f64, [usize; 2])>,
 }
 
 /// An estimate.
@@ -101,57 +108,79 @@ impl<'l> Estimator<'l> {
             .map(|(log, constant)| log + constant)
             .collect();
         let largest = logs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let blocks = logs
-            .iter()
-            .enumerate()
-            .map(|(cell, log)| self.grid.block(cell, *log));
-        let may_hold = |block: &Block| block.highest() >= largest - NEGLIGIBLE;
-        let mut blocks: Vec<Block> = blocks.filter(may_hold).collect();
+        let highest = logs.iter().zip(self.grid.slacks());
+        let may_hold = highest.map(|(log, slack)| log + slack >= largest - NEGLIGIBLE);
+        let cells = may_hold.enumerate().filter(|(_, holds)| *holds);
+        let mut cells: Vec<(f64, usize)> = cells.map(|(cell, _)| (logs[cell], cell)).collect();
         // The best first: what is found there leaves less to look for elsewhere.
-        blocks.sort_by(|a, b| b.log.total_cmp(&a.log));
+        cells.sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
         let mut found = Found {
+            readings,
+            squares,
             largest,
-            products: HashMap::new(),
+            firsts: vec![NONE; self.grid.angles()],
+            products: Vec::new(),
             points: Vec::new(),
         };
-        for block in &blocks {
-            self.refine(block, readings, squares, &mut found);
+        for (log, cell) in cells {
+            self.refine(&self.grid.block(cell, log), &mut found);
         }
         self.mean(&found.points)
     }
 
-    /// Cuts a block that may hold some of the mass into thirds along each side that asks for it, and so on; a part that asks for no more is a point.
-    fn refine(&self, block: &Block, readings: &[f64], squares: &[f64], found: &mut Found) {
+    /// Cuts a block that may hold some of the mass into thirds along each side that asks for it, and so on; a part that asks for no more is a point. All pieces are looked at
+    /// before any is cut: the best of them leaves less to look for in the others.
+    fn refine(&self, block: &Block, found: &mut Found<'_>) {
         if block.highest() < found.largest - NEGLIGIBLE {
             return;
         }
-        let [angle, depth] = block.middle();
+        let middle = block.middle();
         if block.parts == [1, 1] {
-            let mass = block.log - block.share.ln();
-            found.points.push((mass, angle, depth));
+            found.points.push((block.log - block.log_parts, middle));
             return;
         }
-        for mut third in block.thirds() {
-            let [fine, depth_part] = third.middle();
-            if [fine, depth_part] != [angle, depth] {
-                let products = found.products.entry(fine);
-                let products =
-                    products.or_insert_with(|| self.products.after(fine, readings, squares));
-                third.log = self.products.log(products, depth_part);
-                found.largest = found.largest.max(third.log);
+        let [across, along] = block.cuts();
+        let mut logs = [[block.log; 3]; 3];
+        for (i, logs) in logs.iter_mut().enumerate().take(across) {
+            for (j, log) in logs.iter_mut().enumerate().take(along) {
+                let at = block.piece([i, j], 0.0).middle();
+                if at != middle {
+                    *log = self.log(at, found);
+                    found.largest = found.largest.max(*log);
+                }
             }
-            self.refine(&third, readings, squares, found);
+        }
+        for (i, logs) in logs.iter().enumerate().take(across) {
+            for (j, log) in logs.iter().enumerate().take(along) {
+                self.refine(&block.piece([i, j], *log), found);
+            }
         }
     }
 
+    /// Value of ln p at parts of a turn and of a depth.
+    fn log(&self, [angle, depth]: [usize; 2], found: &mut Found<'_>) -> f64 {
+        let first = match found.firsts[angle] {
+            NONE => {
+                let first = found.products.len();
+                let after = self.products.after(angle, found.readings, found.squares);
+                found.products.extend(after);
+                found.firsts[angle] = first;
+                first
+            }
+            first => first,
+        };
+        let products = &found.products[first..first + self.products.rank()];
+        self.products.log(products, depth)
+    }
+
     /// Means over points with the logarithms of their masses.
-    fn mean(&self, points: &[(f64, usize, usize)]) -> Estimated {
+    fn mean(&self, points: &[(f64, [usize; 2])]) -> Estimated {
         let largest = points
             .iter()
             .map(|point| point.0)
             .fold(f64::NEG_INFINITY, f64::max);
         let (mut mass, mut depths, mut vector) = (0.0, 0.0, [0.0; 2]);
-        for (log, angle, depth) in points.iter().filter(|point| point.0 > largest - NEGLIGIBLE) {
+        for (log, [angle, depth]) in points.iter().filter(|point| point.0 > largest - NEGLIGIBLE) {
             let weight = (log - largest).exp();
             let (sin, cos) = self.directions[*angle];
             mass += weight;

@@ -39,6 +39,11 @@ impl PosteriorGrid {
         ANGLE_CELLS * self.finest
     }
 
+    /// Shortfalls of all cells' middles below their best points, at most.
+    pub fn slacks(&self) -> impl Iterator<Item = f64> + '_ {
+        self.cells.iter().map(|cell| cell.slack[0] + cell.slack[1])
+    }
+
     /// The whole of a cell, with ln p at its middle.
     pub fn block(&self, cell: usize, log: f64) -> Block {
         let Cell { parts, slack } = self.cells[cell];
@@ -49,7 +54,7 @@ impl PosteriorGrid {
             ],
             spans: [self.finest, MOST_PARTS],
             parts,
-            share: (parts[0] * parts[1]) as f64,
+            log_parts: ((parts[0] * parts[1]) as f64).ln(),
             slack,
             log,
         }
@@ -74,8 +79,8 @@ pub(super) struct Block {
     pub spans: [usize; 2],
     /// Parts that it is still to be cut into.
     pub parts: [usize; 2],
-    /// Parts of the whole cell.
-    pub share: f64,
+    /// Logarithm of the number of parts of the whole cell.
+    pub log_parts: f64,
     /// Shortfall of its middle below its best point by either side, at most.
     pub slack: [f64; 2],
     /// Value of ln p at its middle.
@@ -92,18 +97,24 @@ impl Block {
         self.log + self.slack[0] + self.slack[1]
     }
 
-    /// Thirds along each side that is to be cut, with its own ln p. The slack goes by the square of a side.
-    pub(super) fn thirds(&self) -> impl Iterator<Item = Self> + use<> {
-        let whole = *self;
-        let cuts = whole.parts.map(|parts| if parts > 1 { 3 } else { 1 });
-        let part = move |i: usize, j: usize| Self {
-            first: [(0, i), (1, j)].map(|(k, i)| whole.first[k] + i * whole.spans[k] / cuts[k]),
-            spans: [0, 1].map(|k| whole.spans[k] / cuts[k]),
-            parts: [0, 1].map(|k| whole.parts[k] / cuts[k]),
-            slack: [0, 1].map(|k| whole.slack[k] / (cuts[k] * cuts[k]) as f64),
-            ..whole
-        };
-        (0..cuts[0]).flat_map(move |i| (0..cuts[1]).map(move |j| part(i, j)))
+    /// Pieces that it is cut into along each side: thirds, where that is to be cut.
+    pub(super) fn cuts(&self) -> [usize; 2] {
+        self.parts.map(|parts| if parts > 1 { 3 } else { 1 })
+    }
+
+    /// A piece, with its own ln p. The slack goes by the square of a side.
+    #[inline]
+    pub(super) fn piece(&self, piece: [usize; 2], log: f64) -> Self {
+        let cuts = self.cuts();
+        let spans = [0, 1].map(|k| self.spans[k] / cuts[k]);
+        Self {
+            first: [0, 1].map(|k| self.first[k] + piece[k] * spans[k]),
+            spans,
+            parts: [0, 1].map(|k| self.parts[k] / cuts[k]),
+            slack: [0, 1].map(|k| self.slack[k] / (cuts[k] * cuts[k]) as f64),
+            log,
+            ..*self
+        }
     }
 }
 

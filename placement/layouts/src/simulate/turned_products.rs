@@ -59,8 +59,18 @@ impl<'l> TurnedProducts<'l> {
         })
     }
 
+    /// Number of the products that are summed.
+    pub fn rank(&self) -> usize {
+        self.likelihood.coefficients[0].len()
+    }
+
     /// The products' functions at a part of a turn, after these readings and their squares.
-    pub fn after(&self, angle: usize, readings: &[f64], squares: &[f64]) -> Vec<f64> {
+    pub fn after<'a>(
+        &'a self,
+        angle: usize,
+        readings: &'a [f64],
+        squares: &'a [f64],
+    ) -> impl Iterator<Item = f64> + 'a {
         let Functions {
             linear,
             quadratic,
@@ -68,10 +78,10 @@ impl<'l> TurnedProducts<'l> {
         } = self.at(angle);
         let linear = linear.chunks_exact(self.films());
         let quadratic = quadratic.chunks_exact(self.films());
-        let of_readings = linear.map(|films| dot(films, readings));
-        let of_squares = quadratic.map(|films| -0.5 * dot(films, squares));
+        let of_readings = linear.map(move |films| dot(films, readings));
+        let of_squares = quadratic.map(move |films| -0.5 * dot(films, squares));
         let constant = constant.iter().map(|sum| -0.5 * sum);
-        of_readings.chain(of_squares).chain(constant).collect()
+        of_readings.chain(of_squares).chain(constant)
     }
 
     /// The sum of products, at a part of a depth.
