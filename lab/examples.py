@@ -158,6 +158,7 @@ def record_estimators(ask, wait):
     wait(estimator)
     for part in ("", "/report", "/left-out"):
         ask("GET", estimator + part)
+    ask("POST", f"{estimator}:zero", {"file": "rest.csv", "text": "time_s,s1,s2\n0,0.1,9\n0.01,0.2,9.1\n"})
     ask("DELETE", estimator)
     ask("GET", "/v1/estimators")
 

@@ -25,6 +25,7 @@ ANSWERS = (
     "DesignView",
     "Estimate",
     "EstimatorSummary",
+    "EstimatorZero",
     "EvaluationView",
     "LeftOutRows",
     "Look",

@@ -66,6 +66,20 @@ export interface components {
             /** @description Error of the estimates then. */
             error: components["schemas"]["TrialError"];
         };
+        /** @description Errors of left-out runs by where they begin. */
+        BeginningsReport: {
+            /** @description Runs that begin under a load, which is taken for nothing where the first reading is taken off. */
+            loaded: components["schemas"]["LoadedReport"][];
+            /** @description Runs that are zeroed by one reading after lifting. */
+            rested: components["schemas"]["RestedReport"][];
+            /**
+             * Format: double
+             * @description Least rest after which the error is at most 1.2 times that of the same rows as recorded, s; null where no recorded rest is long enough.
+             */
+            rest_s?: number | null;
+            /** @description Sentences that follow from it: when to zero, and what a begin under load does. */
+            advice: string;
+        };
         /** @description A kind of film: where in the section, along which direction, how large. */
         CandidateFilm: {
             /**
@@ -563,6 +577,7 @@ export interface components {
         EstimatorDetail: components["schemas"]["EstimatorSummary"] & {
             /** @description The recipe as it was submitted. */
             recipe: Record<string, unknown>;
+            zero?: components["schemas"]["EstimatorZero"] | null;
         };
         /** @description Recordings to learn forces from, and how. */
         EstimatorDocument: {
@@ -602,6 +617,17 @@ export interface components {
             recordings: components["schemas"]["RecordingFigures"][];
             progress?: components["schemas"]["FitProgress"] | null;
             estimate?: components["schemas"]["FitEstimate"] | null;
+        };
+        /** @description Zero that an estimator was given: what its signals are without a force. */
+        EstimatorZero: {
+            /** @description Recording without load that it is from. */
+            file: string;
+            /** @description Time at which it was given. */
+            set: string;
+            /** @description Signals' columns. */
+            signals: string[];
+            /** @description Each signal's median over the recording's rows without a force, in its own unit. */
+            zero: number[];
         };
         /** @description A point that has an outcome. */
         EvaluationView: {
@@ -947,6 +973,7 @@ export interface components {
              * @description R2 of the chosen model where forces are rolled against signals: what chance would do.
              */
             rolled_r2?: number | null;
+            beginnings?: components["schemas"]["BeginningsReport"] | null;
             /** @description All candidates, the chosen one first, then by their error. */
             models: components["schemas"]["ModelReport"][];
         };
@@ -1508,6 +1535,29 @@ export interface components {
              * @description Force from which the ground slides: the coefficient of friction times the load, N.
              */
             sliding_n: number;
+        };
+        /** @description Left-out runs that begin under a load. */
+        LoadedReport: {
+            /**
+             * Format: double
+             * @description Share of the run's largest force.
+             */
+            share: number;
+            /**
+             * Format: double
+             * @description Mean load at the beginning, N.
+             */
+            load_n: number;
+            /**
+             * Format: double
+             * @description N
+             */
+            rmse_n: number;
+            /**
+             * Format: double
+             * @description RMSE of the same rows of the runs as recorded, N.
+             */
+            recorded_rmse_n: number;
         };
         /** @description Estimated discretisation errors at a location, absolute: see [`crate::gauge::GaugeError`]. */
         LocationError: {
@@ -2222,6 +2272,26 @@ export interface components {
             notes: string[];
             /** @description Cost of the fit. */
             cost: components["schemas"]["FitCost"];
+        };
+        /** @description Left-out runs that are zeroed after lifting. */
+        RestedReport: {
+            /**
+             * Format: double
+             * @description Rest between lifting and zero, s.
+             */
+            rest_s: number;
+            /** @description Number of liftings that were followed by such a rest. */
+            liftings: number;
+            /**
+             * Format: double
+             * @description N
+             */
+            rmse_n: number;
+            /**
+             * Format: double
+             * @description RMSE of the same rows of the runs as recorded, N.
+             */
+            recorded_rmse_n: number;
         };
         /** @description A load of layouts. */
         RingLoad: {
@@ -3296,6 +3366,13 @@ export interface components {
              * @description Root of the mean squared error of rows with a contact there, N.
              */
             rmse_n: number;
+        };
+        /** @description Recording without load, or nothing, which forgets an earlier zero. */
+        ZeroDocument: {
+            /** @description Name that faults give it. */
+            file?: string | null;
+            /** @description CSV: a header, then a row a line: seconds and signals; where it has forces, its rows without one count. */
+            text?: string | null;
         };
         /** @description Scene: what is pressed on which ground, by how much, and how finely it is modelled. */
         ChangedSceneDocument: {
@@ -5066,6 +5143,7 @@ export type AlikeContacts = components['schemas']['AlikeContacts'];
 export type AnalysisDocument = components['schemas']['AnalysisDocument'];
 export type Answer = components['schemas']['Answer'];
 export type AskewError = components['schemas']['AskewError'];
+export type BeginningsReport = components['schemas']['BeginningsReport'];
 export type CandidateFilm = components['schemas']['CandidateFilm'];
 export type Candidates = components['schemas']['Candidates'];
 export type Certainty = components['schemas']['Certainty'];
@@ -5101,6 +5179,7 @@ export type EstimatorDetail = components['schemas']['EstimatorDetail'];
 export type EstimatorDocument = components['schemas']['EstimatorDocument'];
 export type EstimatorPage = components['schemas']['EstimatorPage'];
 export type EstimatorSummary = components['schemas']['EstimatorSummary'];
+export type EstimatorZero = components['schemas']['EstimatorZero'];
 export type EvaluationView = components['schemas']['EvaluationView'];
 export type Evaluations = components['schemas']['Evaluations'];
 export type ExpectedAccuracy = components['schemas']['ExpectedAccuracy'];
@@ -5161,6 +5240,7 @@ export type LeftOutRows = components['schemas']['LeftOutRows'];
 export type LiveSolve = components['schemas']['LiveSolve'];
 export type LoadScore = components['schemas']['LoadScore'];
 export type LoadShear = components['schemas']['LoadShear'];
+export type LoadedReport = components['schemas']['LoadedReport'];
 export type LocationError = components['schemas']['LocationError'];
 export type LocationStrain = components['schemas']['LocationStrain'];
 export type Locations = components['schemas']['Locations'];
@@ -5197,6 +5277,7 @@ export type RecordingFigures = components['schemas']['RecordingFigures'];
 export type RecordingLook = components['schemas']['RecordingLook'];
 export type RecordingSeries = components['schemas']['RecordingSeries'];
 export type Report = components['schemas']['Report'];
+export type RestedReport = components['schemas']['RestedReport'];
 export type RingLoad = components['schemas']['RingLoad'];
 export type Rings = components['schemas']['Rings'];
 export type Rung = components['schemas']['Rung'];
@@ -5249,6 +5330,7 @@ export type TrialError = components['schemas']['TrialError'];
 export type Verdict = components['schemas']['Verdict'];
 export type WheelRing = components['schemas']['WheelRing'];
 export type WorstContact = components['schemas']['WorstContact'];
+export type ZeroDocument = components['schemas']['ZeroDocument'];
 export type ChangedSceneDocument = components['schemas']['ChangedSceneDocument'];
 export type GeometryDocument = components['schemas']['GeometryDocument'];
 export type MaterialDocument = components['schemas']['MaterialDocument'];

@@ -66,7 +66,7 @@ impl From<&BegunErrors> for BeginningsReport {
     }
 }
 
-/// When a zero holds.
+/// Sentence on when a zero holds.
 fn zero_advice(errors: &BegunErrors) -> String {
     let longest = errors.rested.last().map(|(rest_s, _)| *rest_s);
     match (errors.rest_s(), longest) {
@@ -81,7 +81,7 @@ fn zero_advice(errors: &BegunErrors) -> String {
     }
 }
 
-/// What a begin under load does.
+/// Sentence on what a begin under load does.
 fn begin_advice(errors: &BegunErrors) -> &'static str {
     let bears = |(_, _, error): &(f64, f64, BegunError)| {
         error.rmse <= BegunErrors::AS_GOOD * error.recorded

@@ -19,11 +19,11 @@ const MOST_ROWS: usize = 100;
 /// Place in a run at which it is begun.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Beginning {
-    /// Under a share of its largest force.
+    /// Row under a share of its largest force.
     Loaded { load: usize, force: f64 },
-    /// So long after lifting, as its zero.
+    /// Row so long after lifting, as its zero.
     Rested { rest: usize },
-    /// Unloaded, by the zero of the other runs.
+    /// Row without a force, by the zero of the other runs.
     AtRest,
 }
 
@@ -131,7 +131,7 @@ impl LeftOutRun<'_> {
         }
     }
 
-    /// Its first row without a force, by the others' zero.
+    /// Begins it at its first row without a force, by the others' zero.
     fn at_rest(&self, fold: usize) -> Option<BegunRun> {
         let zero = self.zero.as_ref()?;
         let most = largest_forces(self.run);

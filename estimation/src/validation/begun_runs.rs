@@ -53,7 +53,7 @@ pub struct BegunErrors {
 
 impl BegunErrors {
     /// An error within this factor of that of the same rows as recorded is about as good.
-    pub const AS_GOOD: f64 = 1.2;
+    pub(crate) const AS_GOOD: f64 = 1.2;
 
     /// The least rest from which on a zeroed run is about as good as one begun unloaded, s; none where no rest is.
     pub fn rest_s(&self) -> Option<f64> {
@@ -178,7 +178,7 @@ impl BegunRuns {
     }
 }
 
-/// What members say together of one list of rows, N.
+/// Estimates of members together for one list of rows, N.
 fn together<'s>(members: &'s [Said], of: impl Fn(&'s Said) -> &'s Vec<Prediction>) -> Vec<f64> {
     let rows = members.first().map_or(0, |said| of(said).len());
     let row = |row: usize| {

@@ -36,7 +36,7 @@ pub struct Estimator<'l> {
 struct Found<'r> {
     /// A reading of each film.
     readings: &'r [f64],
-    /// Their squares.
+    /// Squares of them.
     squares: &'r [f64],
     /// Largest ln p so far.
     largest: f64,

@@ -40,7 +40,7 @@ impl PosteriorGrid {
     }
 
     /// Shortfalls of all cells' middles below their best points, at most.
-    pub fn slacks(&self) -> impl Iterator<Item = f64> + '_ {
+    pub(super) fn slacks(&self) -> impl Iterator<Item = f64> + '_ {
         self.cells.iter().map(|cell| cell.slack[0] + cell.slack[1])
     }
 

@@ -12,6 +12,7 @@ __all__ = [
     "AlikeContacts",
     "Answer",
     "AskewError",
+    "BeginningsReport",
     "Candidate",
     "Candidates",
     "Choice",
@@ -38,6 +39,7 @@ __all__ = [
     "ErrorSources",
     "Estimate",
     "EstimatorSummary",
+    "EstimatorZero",
     "Evaluation",
     "ExpectedAccuracy",
     "FailedNode",
@@ -72,6 +74,7 @@ __all__ = [
     "LeftOut",
     "LoadScore",
     "LoadShear",
+    "LoadedReport",
     "Location",
     "LocationError",
     "LocationStrain",
@@ -96,6 +99,7 @@ __all__ = [
     "RecordingFigures",
     "RecordingLook",
     "RecordingSeries",
+    "RestedReport",
     "RingLoad",
     "Rings",
     "SectionNode",
@@ -194,6 +198,21 @@ class AskewError:
     """Standard deviation of the films' places around the wheel, degrees."""
     error: TrialError
     """Error of the estimates then."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class BeginningsReport:
+    """Errors of left-out runs by where they begin."""
+
+    loaded: tuple[LoadedReport, ...]
+    """Runs that begin under a load, which is taken for nothing where the first reading is taken off."""
+    rested: tuple[RestedReport, ...]
+    """Runs that are zeroed by one reading after lifting."""
+    rest_s: float | None = None
+    """Least rest after which the error is at most 1.2 times that of the same rows as recorded, s; None where no
+    recorded rest is long enough."""
+    advice: str
+    """Sentences that follow from it: when to zero, and what a begin under load does."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -690,6 +709,20 @@ class EstimatorSummary:
 
 
 @dataclass(frozen=True, kw_only=True)
+class EstimatorZero:
+    """Zero that an estimator was given: what its signals are without a force."""
+
+    file: str
+    """Recording without load that it is from."""
+    set: str
+    """Time at which it was given."""
+    signals: tuple[str, ...]
+    """Signals' columns."""
+    zero: tuple[float, ...]
+    """Each signal's median over the recording's rows without a force, in its own unit."""
+
+
+@dataclass(frozen=True, kw_only=True)
 class Evaluation:
     """A point that has an outcome."""
 
@@ -936,6 +969,8 @@ class ForceReportFields:
     """The features it reads. One of `raw`, `slopes`, `rolling`, `all`."""
     rolled_r2: float | None = None
     """R2 of the chosen model where forces are rolled against signals: what chance would do."""
+    beginnings: BeginningsReport | None = None
+    """Errors of the chosen model on left-out runs by where they begin; left out where no run was."""
     models: tuple[ModelReport, ...]
     """All candidates, the chosen one first, then by their error."""
 
@@ -1354,6 +1389,20 @@ class LoadShear:
     """Forces along the wheel and across it by the shifts that way, N/mm."""
     sliding_n: float
     """Force from which the ground slides: the coefficient of friction times the load, N."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class LoadedReport:
+    """Left-out runs that begin under a load."""
+
+    share: float
+    """Share of the run's largest force."""
+    load_n: float
+    """Mean load at the beginning, N."""
+    rmse_n: float
+    """N"""
+    recorded_rmse_n: float
+    """RMSE of the same rows of the runs as recorded, N."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -1781,6 +1830,20 @@ class RecordingSeries:
     """Length of a bin, s."""
     columns: tuple[ColumnSeries, ...]
     """Columns with numbers, but for the time."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class RestedReport:
+    """Left-out runs that are zeroed after lifting."""
+
+    rest_s: float
+    """Rest between lifting and zero, s."""
+    liftings: int
+    """Number of liftings that were followed by such a rest."""
+    rmse_n: float
+    """N"""
+    recorded_rmse_n: float
+    """RMSE of the same rows of the runs as recorded, N."""
 
 
 @dataclass(frozen=True, kw_only=True)

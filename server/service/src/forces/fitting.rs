@@ -263,7 +263,7 @@ enum Piece {
     Begun(Option<Said>),
 }
 
-/// What the members of a force are, and what they said.
+/// Members of a force, and what they said.
 #[derive(Default)]
 struct Members {
     models: Vec<LearntModel>,

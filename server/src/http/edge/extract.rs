@@ -66,7 +66,7 @@ impl<S: Send + Sync> FromRequestParts<S> for DocumentName {
 /// The estimator's identifier in an address.
 pub(crate) struct EstimatorId(pub String);
 
-/// Something that is done with an estimator: `{id}:apply` is one part of an address, and routes are told apart by whole parts.
+/// Verb of what is done with an estimator: `{id}:apply` is one part of an address, and routes are told apart by whole parts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Verb {
     Apply,

@@ -12,8 +12,8 @@ export function BeginningsPanel({ force }: { force: ForceReport }) {
       <p>{beginnings.advice}</p>
       <BeginningsTable beginnings={beginnings} />
       <p class="quiet">
-        RMSE of {force.force} on runs that weren't learnt from, begun elsewhere than they were recorded: under a quarter, half and all of their largest force, and
-        zeroed by one reading so long after the force was lifted. Beside it the same rows of the same runs as recorded.
+        RMSE of {force.force} on runs that weren't learnt from, begun elsewhere than they were recorded: under a quarter, half and all of their largest force,
+        and zeroed by one reading so long after the force was lifted. Beside it the same rows of the same runs as recorded.
       </p>
     </section>
   );

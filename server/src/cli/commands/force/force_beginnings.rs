@@ -1,4 +1,4 @@
-//! What a left-out run's begin does to its error: under a load, and zeroed after lifting.
+//! Errors of left-out runs by where they begin: under a load, and zeroed after lifting.
 
 use document::visible::visible;
 use estimation::fit_report::ForceReport;

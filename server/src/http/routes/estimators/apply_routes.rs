@@ -20,8 +20,8 @@ use utoipa_axum::router::OpenApiRouter;
 use crate::http::app_state::AppState;
 use crate::http::edge::extract::{DoneWithId, EstimatorPath, Verb, no_method};
 use crate::http::edge::problem_document::Problem;
-use crate::http::routes::estimators::learnt_routes::{ready, text};
-use crate::http::routes::estimators::zero_routes::{self, zero_estimator, zero_of};
+use crate::http::routes::estimators::stored_estimator::{ready, text, unusable, zero_of};
+use crate::http::routes::estimators::zero_routes::{self, zero_estimator};
 use crate::http::routes::long_body::LongBody;
 use service::export::FileFormat;
 use service::forces::applying::{Bounds, Estimates, Zero, apply_within};
@@ -145,18 +145,6 @@ fn estimates(
     found
         .map_err(|faults| Unestimated::Input(of_recording(faults)))?
         .ok_or(Unestimated::Stopped)
-}
-
-/// Refuses a stored model that can't be read.
-pub(super) fn unusable(faults: &[Fault]) -> Problem {
-    let faults: Vec<String> = faults.iter().map(Fault::to_string).collect();
-    Problem::new(
-        StatusCode::CONFLICT,
-        format!(
-            "the estimator can't be used any more, so learn it anew: {}",
-            faults.join("; ")
-        ),
-    )
 }
 
 impl From<Unestimated> for Problem {

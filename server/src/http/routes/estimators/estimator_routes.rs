@@ -15,7 +15,7 @@ use crate::http::edge::conditional;
 use crate::http::edge::extract::{EstimatorId, EstimatorPath, Params, RemovalQuery};
 use crate::http::edge::problem_document::Problem;
 use crate::http::routes::entry_list::PageQuery;
-use crate::http::routes::estimators::zero_routes::zero_of;
+use crate::http::routes::estimators::stored_estimator::{known, zero_of};
 use crate::http::routes::long_body::LongBody;
 use crate::http::routes::study_routes::idempotency_key;
 use service::forces::estimator_queue::UntakenError;
@@ -25,7 +25,6 @@ use service::wire::estimator_wire::{
     EstimatorDetail, EstimatorDocument, EstimatorPage, EstimatorSummary,
 };
 use service::wire::study_wire::ProblemDocument;
-use store::Store;
 use store::queue::estimator_rows::{self, EstimatorRow};
 use store::queue::study_rows::State as StudyState;
 
@@ -163,13 +162,6 @@ async fn cancel_estimator(
     }
     state.estimators.cancel(&id).await?;
     accepted(&state, &id).await
-}
-
-/// The estimator of this identifier, or 404.
-pub(super) async fn known(store: &Store, id: &str) -> Result<EstimatorRow, Problem> {
-    let mut connection = store.read().await?;
-    let row = estimator_rows::find(&mut connection, id).await?;
-    row.ok_or_else(|| Problem::not_found(format!("there is no estimator {id:?}")))
 }
 
 impl From<UntakenError> for Problem {

@@ -4,7 +4,7 @@
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
 use axum::extract::State;
-use axum::http::{HeaderMap, StatusCode, header};
+use axum::http::{HeaderMap, header};
 use axum::response::Response;
 use estimation::fit_report::Report;
 use utoipa_axum::router::OpenApiRouter;
@@ -15,12 +15,12 @@ use crate::http::edge::answer_limits::Making;
 use crate::http::edge::conditional::{has, tagged};
 use crate::http::edge::extract::{EstimatorId, EstimatorPath};
 use crate::http::edge::problem_document::Problem;
-use crate::http::routes::estimators::estimator_routes::known;
+use crate::http::routes::estimators::stored_estimator::{ready, text};
 use service::wire::estimator_examples as examples;
 use service::wire::estimator_wire::LeftOutForces;
 use service::wire::study_wire::ProblemDocument;
 use store::Store;
-use store::queue::estimator_parts::{self, Part};
+use store::queue::estimator_parts::Part;
 
 /// Returns the routes below `/v1/estimators/{id}`.
 pub(crate) fn router() -> OpenApiRouter<AppState> {
@@ -100,35 +100,4 @@ async fn sent(
     let text = text(store, id, part).await?;
     let kind = [(header::CONTENT_TYPE, "application/json")];
     Ok(tagged(headers, &tag, "no-cache", (kind, text)))
-}
-
-/// Hash of a part of what was learnt, or 409 with what became of the estimator.
-pub(super) async fn ready(store: &Store, id: &str, part: Part) -> Result<String, Problem> {
-    let row = known(store, id).await?;
-    let mut connection = store.read().await?;
-    let sha256 = estimator_parts::part_sha256(&mut connection, id, part).await?;
-    sha256.ok_or_else(|| {
-        let error = row.error.as_deref();
-        let cause = error.map_or(String::new(), |error| format!(": {error}"));
-        let (state, what) = (row.state().as_str(), nameable(part));
-        Problem::new(
-            StatusCode::CONFLICT,
-            format!("the estimator is {state} and has no {what}{cause}"),
-        )
-    })
-}
-
-fn nameable(part: Part) -> &'static str {
-    match part {
-        Part::Report => "report",
-        Part::Model => "model",
-        Part::LeftOut => "rows that were left out",
-    }
-}
-
-/// A part of what was learnt, or 404 when it was removed meanwhile.
-pub(super) async fn text(store: &Store, id: &str, part: Part) -> Result<String, Problem> {
-    let mut connection = store.read().await?;
-    let text = estimator_parts::part(&mut connection, id, part).await?;
-    text.ok_or_else(|| Problem::not_found(format!("there is no estimator {id:?}")))
 }

@@ -11,8 +11,7 @@ use serde_json::Value;
 use crate::http::app_state::AppState;
 use crate::http::edge::extract::EstimatorPath;
 use crate::http::edge::problem_document::Problem;
-use crate::http::routes::estimators::apply_routes::unusable;
-use crate::http::routes::estimators::learnt_routes::{ready, text};
+use crate::http::routes::estimators::stored_estimator::{ready, text, unusable};
 use crate::http::routes::long_body::LongBody;
 use service::forces::applying::measured_zero;
 use service::forces::model_file::read_model;
@@ -20,8 +19,6 @@ use service::forces::submission_reader::{of_recording, read_recording};
 use service::wire::estimator_examples as examples;
 use service::wire::estimator_wire::{EstimatorZero, ZeroDocument};
 use service::wire::study_wire::ProblemDocument;
-use store::Store;
-use store::StoreError;
 use store::clock::now;
 use store::content::encode;
 use store::queue::estimator_parts::Part;
@@ -72,20 +69,4 @@ pub(super) async fn zero_estimator(
     state.store.commit(transaction, 0).await?;
     tracing::info!(estimator = id, file = ?zero.file, "estimator zeroed");
     Ok(Json(zero).into_response())
-}
-
-/// The zero that an estimator was given.
-///
-/// # Errors
-/// When it can't be read.
-pub(super) async fn zero_of(store: &Store, id: &str) -> Result<Option<EstimatorZero>, StoreError> {
-    let mut connection = store.read().await?;
-    let document = estimator_zeros::zero(&mut connection, id).await?;
-    let read = |document: String| {
-        serde_json::from_str(&document).map_err(|_| StoreError::Damaged {
-            table: "estimator_zeros",
-            row: id.to_owned(),
-        })
-    };
-    document.map(read).transpose()
 }
