@@ -117,7 +117,7 @@ def test_a_saved_model_says_on_the_command_line_what_the_service_says(
     signals.to_csv(path, index=False)
     rows = estimator.apply_rows(path)
     assert rows == found.to_dict("records") == estimator.apply_rows(path.read_text())
-    rest = runs[2].head(3)
+    rest = signals.head(3)
     zero = estimator.zero(rest)
     assert zero == {name: float(np.median(rest[name])) for name in zero}
     assert not estimator.apply(signals).equals(found)

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from strainsite.answers._generated import EstimatorSummary, EstimatorZero
-from strainsite.answers.reading import records
+from strainsite.answers.reading import read, records
 from strainsite.connection.download import write_whole
 from strainsite.connection.follow import look
 from strainsite.connection.progress import Deadline, Progress
@@ -130,7 +130,9 @@ class Estimator(Entry[EstimatorSummary]):
             raise AnswerError(f"the service's estimates aren't what this client knows: {error}") from error
 
     def zero(self, rest: Run | None, *, name: str = "rest.csv") -> dict[str, float]:
-        """Gives it the zero of a recording without load, by which `apply` estimates from then on, and returns each signal's.
+        """Gives it the zero of a recording without load, and returns each signal's.
+
+        `apply` estimates by it from then on.
 
         Args:
             rest: As for `apply`, without load, or with forces whose rows without one count; None forgets the zero, so
@@ -147,7 +149,7 @@ class Estimator(Entry[EstimatorSummary]):
         answer = self._transport.request("POST", f"{self._path}:zero", content=content, headers=headers)
         if rest is None:
             return {}
-        zero = EstimatorZero.of(answer.json())
+        zero = read(EstimatorZero, answer.json(), "zero")
         return dict(zip(zero.signals, zero.zero, strict=True))
 
     def left_out(self, force: str | None = None) -> LeftOutRows:
