@@ -211,6 +211,8 @@ fn replaced(text: &str, with: &str, mut by: impl FnMut(&str) -> Option<String>) 
 
 /// A line without numbers before [`UNITS`].
 fn without_measured(line: &str) -> String {
+    // A slow machine says minutes where another says seconds.
+    let line = &line.replace(" minutes", " s");
     let is_unit = |word: &str| UNITS.contains(&word.trim_end_matches([',', ';', ')', '.']));
     let words: Vec<&str> = line.split(' ').collect();
     let shown = words.iter().enumerate().map(|(place, word)| {
