@@ -252,7 +252,7 @@ pub fn measured_zero(
     let run = read_rows(file, text, &there, &names, gaps)?;
     let zero = unloaded::zero(&run);
     zero.ok_or_else(|| {
-        let detail = "has no row without a force: the zero is what the signals are then";
+        let detail = "has no row whose forces are below a twentieth of their largest, as the zero needs; of a recording at rest leave the forces out";
         faults.add(None, None, detail);
         faults.into_faults()
     })
