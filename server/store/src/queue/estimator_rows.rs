@@ -7,7 +7,7 @@ use sqlx::SqliteConnection;
 use crate::clock::now;
 use crate::content::{document_sha256, intact};
 use crate::queue::estimator_parts::{Part, insert_parts, insert_recordings, part, recordings};
-use crate::queue::estimator_zeros::zero;
+use crate::queue::estimator_zeros::{forget, zero};
 use crate::queue::study_rows::{State, by_state};
 use crate::row::from_row;
 use crate::seals;
@@ -244,6 +244,7 @@ pub async fn finish(
         return Ok(false);
     }
     insert_parts(connection, id, parts).await?;
+    forget(connection, id).await?;
     Ok(true)
 }
 
@@ -454,6 +455,7 @@ mod tests {
                 "update estimator_zeros set document = '{}'",
                 "estimator_zeros",
             ),
+            ("delete from estimator_zeros", "estimator_zeros"),
         ] {
             let (_folder, store) = fresh().await;
             let mut write = store.begin().await.expect("begins");

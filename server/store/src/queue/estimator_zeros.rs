@@ -6,10 +6,13 @@ use crate::content::{document_sha256, intact};
 use crate::seals;
 use crate::store_error::StoreError;
 
+/// Document of an estimator that was given no zero: it has a row all the same, so that one that was removed is missed.
+const NONE: &str = "null";
+
 /// The zero of an estimator, JSON, where it was given one.
 ///
 /// # Errors
-/// [`StoreError::Damaged`] when it doesn't match its hash; when the database can't be read.
+/// [`StoreError::Damaged`] when it doesn't match its hash, or is missed beside a model; when the database can't be read.
 pub async fn zero(
     connection: &mut SqliteConnection,
     id: &str,
@@ -18,13 +21,24 @@ pub async fn zero(
     let query = "select document, sha256 from estimator_zeros where estimator = ?";
     let row: Option<(String, String)> = sqlx::query_as(query)
         .bind(id)
-        .fetch_optional(connection)
+        .fetch_optional(&mut *connection)
         .await?;
-    let Some((document, sha256)) = row else {
-        return Ok(None);
-    };
-    intact(("estimator_zeros", id), &document, &sha256)?;
-    Ok(Some(document))
+    if let Some((document, sha256)) = row {
+        intact(("estimator_zeros", id), &document, &sha256)?;
+        return Ok(Some(document).filter(|document| document != NONE));
+    }
+    let learnt = "select count(*) from estimator_parts where estimator = ?";
+    let learnt: i64 = sqlx::query_scalar(learnt)
+        .bind(id)
+        .fetch_one(connection)
+        .await?;
+    match learnt {
+        0 => Ok(None),
+        _ => Err(StoreError::Damaged {
+            table: "estimator_zeros",
+            row: id.to_owned(),
+        }),
+    }
 }
 
 /// Gives an estimator this zero, JSON, in place of an earlier one.
@@ -36,8 +50,8 @@ pub async fn set(
     id: &str,
     document: &str,
 ) -> Result<(), StoreError> {
-    forget(connection, id).await?;
-    sqlx::query("insert into estimator_zeros (estimator, document, sha256) values (?, ?, ?)")
+    let query = "insert into estimator_zeros (estimator, document, sha256) values (?, ?, ?) on conflict (estimator) do update set document = excluded.document, sha256 = excluded.sha256, seal = null";
+    sqlx::query(query)
         .bind(id)
         .bind(document)
         .bind(document_sha256(document))
@@ -46,14 +60,21 @@ pub async fn set(
     Ok(())
 }
 
-/// Forgets the zero that an estimator was given.
+/// Gives an estimator no zero, in place of an earlier one.
 ///
 /// # Errors
 /// When the database can't be written.
 pub async fn forget(connection: &mut SqliteConnection, id: &str) -> Result<(), StoreError> {
-    sqlx::query("delete from estimator_zeros where estimator = ?")
-        .bind(id)
-        .execute(connection)
-        .await?;
-    Ok(())
+    set(connection, id, NONE).await
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn estimators_of_earlier_versions_have_no_zero_by_its_hash() {
+        let change = include_str!("../../../../migrations/0005_estimator_zeros.sql");
+        assert!(change.contains(&format!("'{NONE}', '{}'", document_sha256(NONE))));
+    }
 }
