@@ -37,7 +37,7 @@ pub const GROUPS: usize = 4;
 /// The group of values.
 pub(crate) const VALUES: usize = 0;
 /// The group of rolling means.
-pub(crate) const MEANS: usize = 2;
+const MEANS: usize = 2;
 
 /// Features of a run's rows, one after another.
 #[derive(Debug, Clone)]
@@ -177,6 +177,16 @@ pub(crate) fn features(
             .for_each(|(place, x)| *place = x);
     }
     found
+}
+
+/// Moves a row of all features as an offset of its signals does, one each: values and rolling means; slopes and variances don't know it.
+pub(crate) fn move_signals(features: &mut [f64], offsets: impl IntoIterator<Item = f64>) {
+    let signals = features.len() / GROUPS;
+    for (signal, offset) in offsets.into_iter().enumerate() {
+        for group in [VALUES, MEANS] {
+            features[group * signals + signal] += offset;
+        }
+    }
 }
 
 /// The columns of a set among all features of so many signals.

@@ -247,28 +247,31 @@ impl Runs {
 
     /// Features of all rows of all runs, with this taken off; a run without an unloaded row has its first reading taken off.
     pub fn features(&self, settings: &StreamSettings, start: Start) -> Array2<f64> {
-        let of_run = |(run, sound): (&Recording, Cow<'_, Recording>)| {
-            let off = match start {
-                Start::Kept => None,
-                // The first reading, unless that is a spike.
-                Start::First => sound
-                    .signals
-                    .rows()
-                    .into_iter()
-                    .next()
-                    .map(|row| row.to_vec()),
-                Start::Unloaded => zero(&sound),
-            };
-            features(run, settings, off)
-        };
-        let of_runs: Vec<Array2<f64>> = self
-            .runs
-            .iter()
-            .zip(self.sound_runs())
-            .map(of_run)
+        let pairs = self.runs.iter().zip(self.taken_off(start));
+        let of_runs: Vec<Array2<f64>> = pairs
+            .map(|(run, off)| features(run, settings, off))
             .collect();
         let views: Vec<_> = of_runs.iter().map(|features| features.view()).collect();
         concatenate(Axis(0), &views).unwrap_or_default()
+    }
+
+    /// Reading that is taken off each run's signals; `None` where none is.
+    pub(crate) fn taken_off(&self, start: Start) -> Vec<Option<Vec<f64>>> {
+        let first = |run: &Recording| {
+            let mut readings = run.signals.rows().into_iter();
+            readings.next().map(|reading| reading.to_vec())
+        };
+        let of_run = |(run, sound): (&Recording, Cow<'_, Recording>)| match start {
+            Start::Kept => None,
+            // Unless that is a spike.
+            Start::First => first(&sound),
+            Start::Unloaded => zero(&sound).or_else(|| first(run)),
+        };
+        self.runs
+            .iter()
+            .zip(self.sound_runs())
+            .map(of_run)
+            .collect()
     }
 
     /// Rows with a force, by their numbers among all rows.

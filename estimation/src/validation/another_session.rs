@@ -5,7 +5,7 @@ use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 
-use crate::features::{GROUPS, MEANS, VALUES};
+use crate::features::{GROUPS, VALUES, move_signals};
 use crate::rows::{LabelledRows, range_of_sound};
 
 /// Standard deviation of the offsets by which signals of left-out rows are moved where one run was recorded, as a share of their ranges: another
@@ -33,19 +33,15 @@ impl Session {
         }
     }
 
-    /// Moves a row's signals, and with them their rolling means; slopes and variances don't know an offset. Each row meets a session of its own: an error
-    /// over all rows is then that over as many sessions.
+    /// Moves a row's signals. Each row meets a session of its own: an error over all rows is then that over as many sessions.
     pub(super) fn disturb(&self, row: usize, features: &mut [f64]) {
         let mut generator = ChaCha8Rng::seed_from_u64(self.seed);
         generator.set_stream(row as u64);
-        let signals = self.ranges.len();
-        for (signal, range) in self.ranges.iter().enumerate() {
-            // Drawn evenly from -root 3 to root 3: a variance of 1.
-            let drawn = generator.random_range(-3f64.sqrt()..3f64.sqrt());
-            for group in [VALUES, MEANS] {
-                features[group * signals + signal] += ANOTHER_SESSION * range * drawn;
-            }
-        }
+        // Drawn evenly from -root 3 to root 3: a variance of 1.
+        let offset = |range: &f64| {
+            ANOTHER_SESSION * range * generator.random_range(-3f64.sqrt()..3f64.sqrt())
+        };
+        move_signals(features, self.ranges.iter().map(offset));
     }
 }
 

@@ -1,8 +1,6 @@
 //! A left-out run that begins elsewhere: under a load, or as it is zeroed after lifting.
 
-use ndarray::Array2;
-
-use crate::features::{FeatureStream, GROUPS};
+use crate::features::{StreamSettings, move_signals};
 use crate::model::even_subset::even_subset;
 use crate::recording::Recording;
 use crate::recording::unloaded::{is_unloaded, largest_forces, liftings};
@@ -35,8 +33,16 @@ pub(super) struct BegunRun {
     pub fold: usize,
     /// Rows that are estimated, among those with the force.
     pub rows: Vec<usize>,
-    /// Features of these rows, as the run begins there.
-    pub features: Array2<f64>,
+    /// Offset of each signal there from what it is as recorded.
+    pub offsets: Vec<f64>,
+}
+
+impl BegunRun {
+    /// All features of a row as the run begins there, from those as recorded.
+    pub fn moved(&self, mut features: Vec<f64>) -> Vec<f64> {
+        move_signals(&mut features, self.offsets.iter().copied());
+        features
+    }
 }
 
 /// Run that its fold leaves out.
@@ -46,8 +52,9 @@ pub(super) struct LeftOutRun<'a> {
     pub force: usize,
     /// Rows with the force: each in the run, and among all with the force.
     pub labelled: Vec<(usize, usize)>,
-    /// Stream of features before its first row.
-    pub stream: FeatureStream,
+    pub settings: &'a StreamSettings,
+    /// Reading that is taken off it as recorded.
+    pub taken_off: Option<&'a Vec<f64>>,
     /// Zero of the runs that are learnt from.
     pub zero: Option<Vec<f64>>,
 }
@@ -102,32 +109,26 @@ impl LeftOutRun<'_> {
         RESTS_S.iter().enumerate().flat_map(of_rest).collect()
     }
 
-    /// Features from a row on: its reading is the zero. Where none is taken off, it counts by how far it is from the learnt one, if that is given.
+    /// Begins it with a row whose reading is the zero. Where none is taken off, it counts by how far it is from the learnt one, if that is given.
     fn begin(&self, fold: usize, at: Beginning, row: usize, learnt: Option<&Vec<f64>>) -> BegunRun {
-        let mut stream = self.stream.clone();
-        stream.start_at(None, learnt);
-        let after: Vec<(usize, usize)> = self
+        // Windows that reach across the begin are short there.
+        let reach = self.settings.smooth_rows + self.settings.window_rows;
+        let is_after = |(labelled, _): &&(usize, usize)| *labelled > row + reach;
+        let after: Vec<usize> = self
             .labelled
             .iter()
-            .copied()
-            .filter(|(labelled, _)| *labelled > row)
+            .filter(is_after)
+            .map(|(_, row)| *row)
             .collect();
         let taken = even_subset(after.len(), MOST_ROWS);
-        let taken: Vec<(usize, usize)> = taken.into_iter().map(|place| after[place]).collect();
-        let last = taken.last().map_or(row, |(last, _)| *last);
-        let features: Vec<Vec<f64>> = (row..=last)
-            .map(|row| self.push(&mut stream, row))
-            .collect();
-        let width = GROUPS * self.run.signals.ncols();
-        let read = taken
-            .iter()
-            .flat_map(|(place, _)| features[place - row].clone());
         BegunRun {
             at,
             fold,
-            features: Array2::from_shape_vec((taken.len(), width), read.collect())
-                .unwrap_or_default(),
-            rows: taken.into_iter().map(|(_, row)| row).collect(),
+            rows: taken.into_iter().map(|place| after[place]).collect(),
+            offsets: self.offsets(
+                self.taken_off.or(learnt),
+                &self.run.signals.row(row).to_vec(),
+            ),
         }
     }
 
@@ -135,24 +136,26 @@ impl LeftOutRun<'_> {
     fn at_rest(&self, fold: usize) -> Option<BegunRun> {
         let zero = self.zero.as_ref()?;
         let most = largest_forces(self.run);
-        let (place, row) = self
-            .labelled
-            .iter()
-            .find(|(place, _)| is_unloaded(self.run, *place, &most))?;
-        let mut stream = self.stream.clone();
-        stream.start_at(Some(zero.clone()), Some(zero));
-        let features = self.push(&mut stream, *place);
+        let mut labelled = self.labelled.iter();
+        let (_, row) = labelled.find(|(place, _)| is_unloaded(self.run, *place, &most))?;
         Some(BegunRun {
             at: Beginning::AtRest,
             fold,
             rows: vec![*row],
-            features: Array2::from_shape_vec((1, features.len()), features).unwrap_or_default(),
+            offsets: self.offsets(self.taken_off, zero),
         })
     }
 
-    fn push(&self, stream: &mut FeatureStream, row: usize) -> Vec<f64> {
-        let cycle = self.run.cycle.as_ref().map(|cycle| cycle[row]);
-        let signals = self.run.signals.row(row).to_vec();
-        stream.push(self.run.time_s[row], cycle, &signals)
+    /// Offsets of signals of which this zero is taken off in place of another one; 0 where none is.
+    fn offsets(&self, in_place_of: Option<&Vec<f64>>, zero: &[f64]) -> Vec<f64> {
+        let sign = if self.settings.turn_sign { -1.0 } else { 1.0 };
+        match in_place_of {
+            Some(other) => other
+                .iter()
+                .zip(zero)
+                .map(|(other, zero)| sign * (other - zero))
+                .collect(),
+            None => vec![0.0; zero.len()],
+        }
     }
 }

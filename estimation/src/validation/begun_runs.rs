@@ -3,10 +3,7 @@
 //! A run that begins unloaded shows what its signals are without a force. One that begins under a load takes that load for nothing, and films that leak need a rest
 //! before they can be zeroed. What either costs is measured on runs that weren't learnt from, against the same rows of the same runs as they were recorded.
 
-use ndarray::{Array2, Axis};
-
 use crate::error_metrics::rmse;
-use crate::features::FeatureStream;
 use crate::model::contract::{Effort, FitError, Prediction};
 use crate::recipe::Recipe;
 use crate::rows::{LabelledRows, Runs, Start};
@@ -72,22 +69,23 @@ impl BegunRuns {
         folds: &[Fold],
         recipe: &Recipe,
     ) -> Self {
+        let settings = runs.stream_settings(recipe, start);
+        let taken_off = runs.taken_off(start);
         let of_fold = |(number, fold): (usize, &Fold)| {
-            let zero = runs.zero_without(&runs_of(rows, &fold.test));
+            let left_out = runs_of(rows, &fold.test);
+            let zero = runs.zero_without(&left_out);
             let run = |left_out: usize| {
                 let run = LeftOutRun {
                     run: &runs.runs[left_out],
                     force,
                     labelled: labelled(rows, left_out),
-                    stream: FeatureStream::new(runs.stream_settings(recipe, start)),
+                    settings: &settings,
+                    taken_off: taken_off[left_out].as_ref(),
                     zero: zero.clone(),
                 };
                 run.begun(number)
             };
-            runs_of(rows, &fold.test)
-                .into_iter()
-                .flat_map(run)
-                .collect::<Vec<_>>()
+            left_out.into_iter().flat_map(run).collect::<Vec<_>>()
         };
         let sizes = rows.forces.iter().map(|force| force.abs());
         Self {
@@ -112,13 +110,14 @@ impl BegunRuns {
             .map(|fold| LearntModel::learn(candidate, rows, &fold.train, recipe, Effort::Fold));
         let models: Vec<LearntModel> = models.collect::<Result<_, _>>()?;
         let of = |begun: &BegunRun| {
-            let predicted = |features: &Array2<f64>| -> Vec<Prediction> {
-                let rows = features.rows().into_iter();
-                rows.map(|row| models[begun.fold].predict(&row.to_vec()))
-                    .collect()
-            };
-            let recorded = rows.features.select(Axis(0), &begun.rows);
-            (predicted(&begun.features), predicted(&recorded))
+            let model = &models[begun.fold];
+            let recorded = |row: &usize| rows.features.row(*row).to_vec();
+            let there = begun
+                .rows
+                .iter()
+                .map(|row| model.predict(&begun.moved(recorded(row))));
+            let here = begun.rows.iter().map(|row| model.predict(&recorded(row)));
+            (there.collect(), here.collect())
         };
         Ok(self.begun.iter().map(of).collect())
     }
@@ -204,6 +203,8 @@ fn labelled(rows: &LabelledRows, run: usize) -> Vec<(usize, usize)> {
 
 #[cfg(test)]
 mod tests {
+    use ndarray::Array2;
+
     use super::*;
     use crate::recipe::{FeatureSet, Kind};
     use crate::recording::Recording;

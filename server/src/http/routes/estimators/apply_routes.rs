@@ -20,7 +20,7 @@ use utoipa_axum::router::OpenApiRouter;
 use crate::http::app_state::AppState;
 use crate::http::edge::extract::{DoneWithId, EstimatorPath, Verb, no_method};
 use crate::http::edge::problem_document::Problem;
-use crate::http::routes::estimators::stored_estimator::{ready, text, unusable, zero_of};
+use crate::http::routes::estimators::stored_estimator::{broken, ready, text, unusable, zero_of};
 use crate::http::routes::estimators::zero_routes::{self, zero_estimator};
 use crate::http::routes::long_body::LongBody;
 use service::export::FileFormat;
@@ -155,10 +155,7 @@ impl From<Unestimated> for Problem {
             Unestimated::Stopped => {
                 Self::new(StatusCode::SERVICE_UNAVAILABLE, "the service is stopping")
             }
-            Unestimated::Broken => Self::new(
-                StatusCode::INTERNAL_SERVER_ERROR,
-                "the service has a fault; its log says where",
-            ),
+            Unestimated::Broken => broken(),
         }
     }
 }

@@ -17,7 +17,7 @@ use crate::http::edge::problem_document::Problem;
 pub(super) async fn known(store: &Store, id: &str) -> Result<EstimatorRow, Problem> {
     let mut connection = store.read().await?;
     let row = estimator_rows::find(&mut connection, id).await?;
-    row.ok_or_else(|| Problem::not_found(format!("there is no estimator {id:?}")))
+    row.ok_or_else(|| absent(id))
 }
 
 /// Hash of a part of what was learnt, or 409 with what became of the estimator.
@@ -48,7 +48,7 @@ fn nameable(part: Part) -> &'static str {
 pub(super) async fn text(store: &Store, id: &str, part: Part) -> Result<String, Problem> {
     let mut connection = store.read().await?;
     let text = estimator_parts::part(&mut connection, id, part).await?;
-    text.ok_or_else(|| Problem::not_found(format!("there is no estimator {id:?}")))
+    text.ok_or_else(|| absent(id))
 }
 
 /// The zero that an estimator was given.
@@ -65,6 +65,19 @@ pub(super) async fn zero_of(store: &Store, id: &str) -> Result<Option<EstimatorZ
         })
     };
     document.map(read).transpose()
+}
+
+/// Refuses an identifier that no estimator has.
+pub(super) fn absent(id: &str) -> Problem {
+    Problem::not_found(format!("there is no estimator {id:?}"))
+}
+
+/// Answer to a panic.
+pub(super) fn broken() -> Problem {
+    Problem::new(
+        StatusCode::INTERNAL_SERVER_ERROR,
+        "the service has a fault; its log says where",
+    )
 }
 
 /// Refuses a stored model that can't be read.

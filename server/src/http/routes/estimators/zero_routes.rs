@@ -11,18 +11,20 @@ use serde_json::Value;
 use crate::http::app_state::AppState;
 use crate::http::edge::extract::EstimatorPath;
 use crate::http::edge::problem_document::Problem;
-use crate::http::routes::estimators::stored_estimator::{ready, text, unusable};
+use crate::http::routes::estimators::stored_estimator::{absent, broken, ready, text, unusable};
 use crate::http::routes::long_body::LongBody;
 use service::forces::applying::measured_zero;
 use service::forces::model_file::read_model;
+use service::forces::recorded_texts::NamedText;
 use service::forces::submission_reader::{of_recording, read_recording};
 use service::wire::estimator_examples as examples;
 use service::wire::estimator_wire::{EstimatorZero, ZeroDocument};
 use service::wire::study_wire::ProblemDocument;
+use store::Store;
 use store::clock::now;
 use store::content::encode;
 use store::queue::estimator_parts::Part;
-use store::queue::estimator_zeros;
+use store::queue::{estimator_rows, estimator_zeros};
 
 /// Give an estimator its zero
 ///
@@ -48,25 +50,40 @@ pub(super) async fn zero_estimator(
     };
     let (recording, _held) = body.checked(read).await?;
     let Some(recording) = recording else {
-        let mut transaction = state.store.begin().await?;
-        estimator_zeros::forget(&mut transaction, &id).await?;
-        state.store.commit(transaction, 0).await?;
+        keep(&state.store, &id, None).await?;
         return Ok(StatusCode::NO_CONTENT.into_response());
     };
     let model = text(&state.store, &id, Part::Model).await?;
-    let estimator = read_model(&model).map_err(|faults| unusable(&faults))?;
-    let zero = measured_zero(&estimator, &recording.name, &recording.text)
-        .map_err(|faults| Problem::faults(of_recording(faults)))?;
-    let zero = EstimatorZero {
-        file: recording.name,
-        set: now(),
-        signals: estimator.columns.signals.clone(),
-        zero,
-    };
-    let document = encode("a zero", &zero)?;
-    let mut transaction = state.store.begin().await?;
-    estimator_zeros::set(&mut transaction, &id, &document).await?;
-    state.store.commit(transaction, 0).await?;
+    // A model and a recording may be long: other answers have their threads meanwhile.
+    let measured = tokio::task::spawn_blocking(move || measured(&model, recording));
+    let zero = measured.await.unwrap_or_else(|_| Err(broken()))?;
+    keep(&state.store, &id, Some(&encode("a zero", &zero)?)).await?;
     tracing::info!(estimator = id, file = ?zero.file, "estimator zeroed");
     Ok(Json(zero).into_response())
+}
+
+fn measured(model: &str, recording: NamedText) -> Result<EstimatorZero, Problem> {
+    let estimator = read_model(model).map_err(|faults| unusable(&faults))?;
+    let zero = measured_zero(&estimator, &recording.name, &recording.text)
+        .map_err(|faults| Problem::faults(of_recording(faults)))?;
+    Ok(EstimatorZero {
+        file: recording.name,
+        set: now(),
+        signals: estimator.columns.signals,
+        zero,
+    })
+}
+
+/// Keeps the zero of an estimator, or none; 404 when it was removed meanwhile.
+async fn keep(store: &Store, id: &str, zero: Option<&str>) -> Result<(), Problem> {
+    let mut transaction = store.begin().await?;
+    if estimator_rows::find(&mut transaction, id).await?.is_none() {
+        return Err(absent(id));
+    }
+    match zero {
+        Some(zero) => estimator_zeros::set(&mut transaction, id, zero).await?,
+        None => estimator_zeros::forget(&mut transaction, id).await?,
+    }
+    store.commit(transaction, 0).await?;
+    Ok(())
 }
