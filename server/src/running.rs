@@ -44,6 +44,8 @@ pub struct ServiceParts {
     pub solver: Arc<dyn Solver>,
     /// Solver of previews: another one, so that a running study keeps what its solves share.
     pub previewer: Arc<dyn Solver>,
+    /// Time that a preview may take.
+    pub preview_limit: Duration,
     /// Starts a process that learns an estimator.
     pub learner: Start,
     /// Starts a process that analyses a model of others.
@@ -199,7 +201,12 @@ impl Service {
         };
         let estimators = EstimatorQueue::new(store.clone(), means, stopping.clone());
         let estimators = Arc::new(estimators);
-        let previewer = Previewer::new(parts.previewer, parts.threads, stopping.clone());
+        let previewer = Previewer::new(
+            parts.previewer,
+            parts.threads,
+            parts.preview_limit,
+            stopping.clone(),
+        );
         let access = Access::of(token.clone(), address.port());
         let login = access.link()?;
         let hosts = HostList::of(address, hosts);

@@ -5,7 +5,7 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use documents::study::Study;
 use documents::study::plan::{PlanError, PlannedStudy};
@@ -17,7 +17,6 @@ use placement::points::RunError;
 use placement::points::memory::MemoryArchive;
 use tokio::sync::{Notify, OwnedMutexGuard, oneshot};
 
-use crate::solving::solver_choice::PREVIEW_LIMIT;
 use crate::wire::preview_wire::Preview;
 use crate::work::shutdown::Shutdown;
 
@@ -48,8 +47,11 @@ pub enum PreviewError {
     #[error("superseded: a newer preview was asked for")]
     Superseded,
     /// A preview that took too long.
-    #[error("the preview took longer than {} s: submit the document as a study", PREVIEW_LIMIT.as_secs())]
-    OverTime,
+    #[error("the preview took longer than {} s: submit the document as a study", limit.as_secs())]
+    OverTime {
+        /// Time that it may take.
+        limit: Duration,
+    },
     /// The service ends.
     #[error("the service is stopping")]
     Stopping,
@@ -62,6 +64,7 @@ pub enum PreviewError {
 pub struct Previewer {
     solver: Arc<dyn Solver>,
     threads: usize,
+    limit: Duration,
     shutdown: Shutdown,
     newest: Mutex<Option<Arc<Asked>>>,
     turn: Arc<tokio::sync::Mutex<()>>,
@@ -84,11 +87,17 @@ impl Drop for Waiting {
 }
 
 impl Previewer {
-    /// A previewer with a solver of its own, on so many threads, until `shutdown`.
-    pub fn new(solver: Arc<dyn Solver>, threads: usize, shutdown: Shutdown) -> Self {
+    /// A previewer with a solver of its own, on so many threads, each in no more than `limit`, until `shutdown`.
+    pub fn new(
+        solver: Arc<dyn Solver>,
+        threads: usize,
+        limit: Duration,
+        shutdown: Shutdown,
+    ) -> Self {
         Self {
             solver,
             threads,
+            limit,
             shutdown,
             newest: Mutex::default(),
             turn: Arc::default(),
@@ -113,7 +122,7 @@ impl Previewer {
         tokio::select! {
             answer = self.answer(preview, &asked, begun) => answer,
             () = asked.superseded.notified() => Err(PreviewError::Superseded),
-            () = tokio::time::sleep(PREVIEW_LIMIT) => Err(PreviewError::OverTime),
+            () = tokio::time::sleep(self.limit) => Err(PreviewError::OverTime { limit: self.limit }),
             () = shutdown.wait() => Err(PreviewError::Stopping),
         }
     }

@@ -103,6 +103,7 @@ async fn serve_to(
         address: "127.0.0.1:0".parse().expect("address"),
         database,
         previewer: solver.clone(),
+        preview_limit: PATIENCE,
         solver,
         learner: Box::new(|| program(fit_process::ARGUMENT)),
         analyst: Box::new(|| program(analysis_process::ARGUMENT)),

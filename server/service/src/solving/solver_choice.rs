@@ -21,7 +21,7 @@ pub use calculix::NotInstalled;
 const GRACE: Duration = Duration::from_secs(60);
 
 /// A preview that takes longer is of no use to somebody who writes.
-pub(crate) const PREVIEW_LIMIT: Duration = Duration::from_secs(10);
+pub const PREVIEW_LIMIT: Duration = Duration::from_secs(10);
 
 /// Name of a solver.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -19,7 +19,7 @@ use crate::running::{Limits, Outside, Service, ServiceParts};
 use crate::telemetry::{self, LogFilter, LogFormat};
 use crate::token::{Token, TokenError};
 use service::forces::fit_process;
-use service::solving::solver_choice::preview_solver;
+use service::solving::solver_choice::{PREVIEW_LIMIT, preview_solver};
 use service::work::analysis_process;
 use service::work::own_process::own_program;
 
@@ -159,6 +159,7 @@ impl Serve {
             database: self.config.db.clone(),
             solver,
             previewer: preview_solver(),
+            preview_limit: PREVIEW_LIMIT,
             threads: self.config.threads(),
             turn: self.turn_s,
             outside,

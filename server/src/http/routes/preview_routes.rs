@@ -55,7 +55,9 @@ impl From<PreviewError> for Problem {
             | PreviewError::Plan(_)
             | PreviewError::Unsolved { .. } => StatusCode::UNPROCESSABLE_ENTITY,
             PreviewError::Superseded => StatusCode::CONFLICT,
-            PreviewError::OverTime | PreviewError::Stopping => StatusCode::SERVICE_UNAVAILABLE,
+            PreviewError::OverTime { .. } | PreviewError::Stopping => {
+                StatusCode::SERVICE_UNAVAILABLE
+            }
             PreviewError::Broken => StatusCode::INTERNAL_SERVER_ERROR,
         };
         Self::new(status, error.to_string())

@@ -18,23 +18,17 @@ pub async fn zero(
     id: &str,
 ) -> Result<Option<String>, StoreError> {
     seals::intact(connection, "estimator_zeros", "estimator = ?", id).await?;
-    let query = "select document, sha256 from estimator_zeros where estimator = ?";
-    let row: Option<(String, String)> = sqlx::query_as(query)
-        .bind(id)
-        .fetch_optional(&mut *connection)
-        .await?;
-    if let Some((document, sha256)) = row {
-        intact(("estimator_zeros", id), &document, &sha256)?;
-        return Ok(Some(document).filter(|document| document != NONE));
-    }
-    let learnt = "select count(*) from estimator_parts where estimator = ?";
-    let learnt: i64 = sqlx::query_scalar(learnt)
-        .bind(id)
-        .fetch_one(connection)
-        .await?;
-    match learnt {
-        0 => Ok(None),
-        _ => Err(StoreError::Damaged {
+    // One statement, so that what is learnt meanwhile is seen with its zero or not at all.
+    let query = "select count(distinct parts.estimator), zeros.document, zeros.sha256 from (select ? as id) left join estimator_parts parts on parts.estimator = id left join estimator_zeros zeros on zeros.estimator = id";
+    let (learnt, document, sha256): (i64, Option<String>, Option<String>) =
+        sqlx::query_as(query).bind(id).fetch_one(connection).await?;
+    match (document.zip(sha256), learnt) {
+        (Some((document, sha256)), _) => {
+            intact(("estimator_zeros", id), &document, &sha256)?;
+            Ok(Some(document).filter(|document| document != NONE))
+        }
+        (None, 0) => Ok(None),
+        (None, _) => Err(StoreError::Damaged {
             table: "estimator_zeros",
             row: id.to_owned(),
         }),
