@@ -180,7 +180,7 @@ fn a_stiff_film_is_pulled_by_what_the_wall_gives_on_both_meshes() {
         };
         signal(&solve(level, FLAT, Some(film)))
     };
-    for (length, width) in [(5.0, 5.0), (10.0, 10.0), (30.0, 12.0)] {
+    for (length, width) in [(5.0, 5.0), (30.0, 12.0)] {
         let [standard, reference] =
             [Level::Standard, Level::Reference].map(|level| of(level, length, width, thin()));
         let [a, b] =

@@ -94,7 +94,7 @@ fn claims_of_symmetric_models_cover_the_true_errors_and_are_smaller() {
     for (kind, seeds) in [
         (Kind::Mdrm, 0..80),
         (Kind::Bivariate, 0..6),
-        (Kind::Auto, 0..4),
+        (Kind::Auto, 0..2),
     ] {
         for (place, outcomes) in ["place", "centre"].iter().zip(outcomes(kind, seeds)) {
             let (share, alone) = (
