@@ -97,6 +97,9 @@ impl FeatureRanges {
 pub struct Stream {
     /// Whether each run's first reading is taken off.
     pub subtract_start: bool,
+    /// First readings whose median that is.
+    #[serde(default = "crate::recipe::first_reading")]
+    pub start_rows: usize,
     /// Whether the sign is turned.
     pub turn_sign: bool,
     /// The clock, Hz.
@@ -135,6 +138,7 @@ pub struct Estimate {
 
 /// Limits of what a model file may ask for.
 const MOST_ROWS: usize = 100_000;
+const MOST_START_ROWS: usize = 1000;
 const MOST_MEMBERS: usize = 12;
 
 impl Stream {
@@ -142,6 +146,7 @@ impl Stream {
     pub fn new(runs: &Runs, recipe: &Recipe, start: Start) -> Self {
         Self {
             subtract_start: start != Start::Kept,
+            start_rows: recipe.preprocess.start_rows,
             turn_sign: recipe.preprocess.turn_sign,
             rate_hz: recipe.preprocess.rate_hz,
             smooth_rows: recipe.preprocess.smooth_rows,
@@ -154,6 +159,7 @@ impl Stream {
     pub fn settings(&self) -> StreamSettings {
         StreamSettings {
             subtract_start: self.subtract_start,
+            start_rows: self.start_rows,
             turn_sign: self.turn_sign,
             smooth_rows: self.smooth_rows,
             window_rows: self.window_rows,
@@ -164,7 +170,8 @@ impl Stream {
     fn check(&self) -> Result<(), String> {
         let positive = |x: f64| x.is_finite() && x > 0.0;
         let windows = (1..=MOST_ROWS).contains(&self.smooth_rows)
-            && (1..=MOST_ROWS).contains(&self.window_rows);
+            && (1..=MOST_ROWS).contains(&self.window_rows)
+            && (1..=MOST_START_ROWS).contains(&self.start_rows);
         if windows && positive(self.pause_s) && self.rate_hz.is_none_or(positive) {
             Ok(())
         } else {

@@ -8,6 +8,8 @@
 //! | variance | of the last w values, divided by w - 1 |
 //!
 //! A stream begins with a run, and anew after each pause and with each cycle of a column: windows are short there, and the first slope is 0. The start value stays.
+//!
+//! A start value that isn't known beforehand is the median of the first readings. While they come it is that of those so far, and windows are made anew by it.
 
 use std::collections::VecDeque;
 use std::ops::Range;
@@ -16,12 +18,15 @@ use ndarray::Array2;
 
 use crate::recipe::FeatureSet;
 use crate::recording::Recording;
+use crate::recording::unloaded::median_reading;
 
 /// Treatment of each row in the stream.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StreamSettings {
     /// Whether the run's first reading is taken off.
     pub subtract_start: bool,
+    /// First readings whose median is the start value.
+    pub start_rows: usize,
     /// Whether the sign is turned.
     pub turn_sign: bool,
     /// Rows of the moving average.
@@ -44,6 +49,8 @@ const MEANS: usize = 2;
 pub struct FeatureStream {
     settings: StreamSettings,
     start: Option<Vec<f64>>,
+    /// First readings, of which the start value is made; none once it is known.
+    settling: Option<Settling>,
     /// Signals without a force as they were learnt, where a start is given though none is taken off: it counts by how far it is from these.
     learnt_zero: Option<Vec<f64>>,
     /// The last row: its time and cycle, its value of each signal.
@@ -52,12 +59,21 @@ pub struct FeatureStream {
     values: VecDeque<Vec<f64>>,
 }
 
+/// First readings of a run, until there are enough of them.
+#[derive(Debug, Clone, Default)]
+struct Settling {
+    readings: Vec<Vec<f64>>,
+    /// Times and cycles of the last of them: those since the last begin.
+    rows: Vec<(f64, Option<usize>)>,
+}
+
 impl FeatureStream {
     /// A run's stream, before its first row.
     pub fn new(settings: StreamSettings) -> Self {
         Self {
             settings,
             start: None,
+            settling: Some(Settling::default()),
             learnt_zero: None,
             last: None,
             readings: VecDeque::new(),
@@ -67,11 +83,41 @@ impl FeatureStream {
 
     /// All features of the next row, group by group, each with an entry a signal.
     pub fn push(&mut self, time_s: f64, cycle: Option<usize>, signals: &[f64]) -> Vec<f64> {
+        let has_zero = self.settings.subtract_start || self.learnt_zero.is_some();
+        match self.settling.take().filter(|_| has_zero) {
+            Some(settling) => self.settle(settling, (time_s, cycle), signals),
+            None => self.row(time_s, cycle, signals),
+        }
+    }
+
+    /// Takes one more reading for the start value, and brings the rows before to it.
+    fn settle(
+        &mut self,
+        mut settling: Settling,
+        row: (f64, Option<usize>),
+        signals: &[f64],
+    ) -> Vec<f64> {
+        settling.readings.push(signals.to_vec());
+        settling.rows.push(row);
+        self.start = Some(median_reading(signals.len(), &settling.readings));
+        self.clear_windows();
+        let before = settling.readings.len() - settling.rows.len();
+        let mut last = Vec::new();
+        for ((time_s, cycle), signals) in settling.rows.iter().zip(&settling.readings[before..]) {
+            last = self.row(*time_s, *cycle, signals);
+        }
+        if settling.readings.len() < self.settings.start_rows {
+            self.settling = Some(settling);
+        }
+        last
+    }
+
+    fn row(&mut self, time_s: f64, cycle: Option<usize>, signals: &[f64]) -> Vec<f64> {
         let apart = |(last, before, _): &(f64, Option<usize>, Vec<f64>)| {
             time_s - last > self.settings.pause_s || *before != cycle
         };
         if self.last.as_ref().is_some_and(apart) {
-            self.restart();
+            self.clear_windows();
         }
         let reading = self.reading(signals);
         keep(&mut self.readings, reading, self.settings.smooth_rows);
@@ -86,29 +132,36 @@ impl FeatureStream {
 
     /// Begins anew, as after a pause: the start value stays.
     pub fn restart(&mut self) {
+        if let Some(settling) = &mut self.settling {
+            settling.rows.clear();
+        }
+        self.clear_windows();
+    }
+
+    fn clear_windows(&mut self) {
         self.last = None;
         self.readings.clear();
         self.values.clear();
     }
 
-    /// Takes these signals for the start value; none: the next row's. Where no start is taken off, `learnt` is what they were when they were learnt.
+    /// Takes these signals for the start value; none: those of the next rows. Where no start is taken off, `learnt` is what they were when they were learnt.
     pub(crate) fn start_at(&mut self, start: Option<Vec<f64>>, learnt: Option<&Vec<f64>>) {
+        self.settling = start.is_none().then(Settling::default);
         self.start = start;
         self.learnt_zero = learnt.cloned();
     }
 
-    /// Whether the next row's signals will be taken for the zero.
+    /// Whether the next row is the first whose signals will be taken for the zero.
     pub(crate) fn is_zero_next(&self) -> bool {
         self.start.is_none() && (self.settings.subtract_start || self.learnt_zero.is_some())
     }
 
-    fn reading(&mut self, signals: &[f64]) -> Vec<f64> {
-        let start = self.start.get_or_insert_with(|| signals.to_vec());
+    fn reading(&self, signals: &[f64]) -> Vec<f64> {
         let sign = if self.settings.turn_sign { -1.0 } else { 1.0 };
-        let off = |signal: usize| match (self.settings.subtract_start, &self.learnt_zero) {
-            (true, _) => start[signal],
-            (false, Some(learnt)) => start[signal] - learnt[signal],
-            (false, None) => 0.0,
+        let off = |signal: usize| match (&self.start, &self.learnt_zero) {
+            (Some(start), _) if self.settings.subtract_start => start[signal],
+            (Some(start), Some(learnt)) => start[signal] - learnt[signal],
+            _ => 0.0,
         };
         let signals = signals.iter().enumerate();
         signals.map(|(k, x)| sign * (x - off(k))).collect()
@@ -208,6 +261,7 @@ mod tests {
     fn settings() -> StreamSettings {
         StreamSettings {
             subtract_start: true,
+            start_rows: 1,
             turn_sign: false,
             smooth_rows: 1,
             window_rows: 3,
@@ -243,6 +297,50 @@ mod tests {
         // After the pause and with the new cycle windows begin anew; the run's start value stays.
         assert_eq!(found[4], [1.0, 0.0, 1.0, 0.0]);
         assert_eq!(found[5], [4.0, 0.0, 4.0, 0.0]);
+    }
+
+    #[test]
+    fn a_start_value_of_several_readings_is_their_median_as_they_come() {
+        let rows: Vec<_> = [10.0, 16.0, 11.0, 12.0, 20.0]
+            .into_iter()
+            .enumerate()
+            .map(|(k, x)| (0.5 * k as f64, None, x))
+            .collect();
+        let found = pushed(
+            StreamSettings {
+                start_rows: 3,
+                ..settings()
+            },
+            &rows,
+        );
+        // Medians 10, 16, 11: the upper one of two. Means and variances are those of one start value, and slopes know none.
+        let values: Vec<f64> = found.iter().map(|row| row[0]).collect();
+        assert_eq!(values, [0.0, 0.0, 0.0, 1.0, 9.0]);
+        let slopes: Vec<f64> = found.iter().map(|row| row[1]).collect();
+        assert_eq!(slopes, [0.0, 12.0, -10.0, 2.0, 16.0]);
+        let means: Vec<f64> = found.iter().map(|row| row[2]).collect();
+        assert_eq!(means, [0.0, -3.0, 4.0 / 3.0, 2.0, 10.0 / 3.0]);
+        // Once they are there all is as by a known one.
+        let mut known = FeatureStream::new(settings());
+        known.start_at(Some(vec![11.0]), None);
+        let by_known = rows
+            .iter()
+            .map(|(t, cycle, x)| known.push(*t, *cycle, &[*x]));
+        assert_eq!(found[2..], by_known.collect::<Vec<_>>()[2..]);
+    }
+
+    #[test]
+    fn a_begin_while_the_start_value_settles_keeps_its_readings_and_no_window() {
+        let mut stream = FeatureStream::new(StreamSettings {
+            start_rows: 3,
+            ..settings()
+        });
+        stream.push(5.0, None, &[10.0]);
+        stream.push(5.5, None, &[12.0]);
+        // A clock that was set back: what was before it is in no window.
+        stream.restart();
+        assert_eq!(stream.push(0.0, None, &[11.0]), [0.0; GROUPS]);
+        assert_eq!(stream.push(0.5, None, &[13.0])[..2], [2.0, 4.0]);
     }
 
     #[test]

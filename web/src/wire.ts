@@ -70,7 +70,7 @@ export interface components {
         BeginningsReport: {
             /** @description Runs that begin under a load, which is taken for nothing where the first reading is taken off. */
             loaded: components["schemas"]["LoadedReport"][];
-            /** @description Runs that are zeroed by one reading after lifting. */
+            /** @description Runs that are zeroed after lifting. */
             rested: components["schemas"]["RestedReport"][];
             /**
              * Format: double
@@ -2130,6 +2130,7 @@ export interface components {
              * @description Treatment of signals before anything is learnt.
              * @default {
              *       "start_value": "auto",
+             *       "start_rows": 1,
              *       "turn_sign": false,
              *       "smooth_rows": 1,
              *       "suspect_rows": "keep",
@@ -4847,6 +4848,11 @@ export interface components {
              * @enum {string}
              */
             start_value: "auto" | "subtract" | "keep" | "unloaded";
+            /**
+             * @description First readings of a run, or after a zero of a stream, whose median is taken off. While they come it is that of those so far.
+             * @default 1
+             */
+            start_rows: number;
             /**
              * @description Whether the sign of signals is turned.
              * @default false

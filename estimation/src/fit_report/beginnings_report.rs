@@ -9,7 +9,7 @@ use crate::validation::{BegunError, BegunErrors};
 pub struct BeginningsReport {
     /// Runs that begin under a load, which is taken for nothing where the first reading is taken off.
     pub loaded: Vec<LoadedReport>,
-    /// Runs that are zeroed by one reading after lifting.
+    /// Runs that are zeroed after lifting.
     pub rested: Vec<RestedReport>,
     /// Least rest after which the error is at most 1.2 times that of the same rows as recorded, s; null where no recorded rest is long enough.
     pub rest_s: Option<f64>,
@@ -73,7 +73,7 @@ fn zero_advice(errors: &BegunErrors) -> String {
         (Some(0.0), _) => "A zero holds as soon as no force acts.".to_owned(),
         (Some(rest_s), _) => format!("A zero holds once {rest_s} s have passed after lifting."),
         (None, Some(longest)) => format!(
-            "No zero by a single reading holds within {longest} s after lifting, the longest rest recorded."
+            "No zero holds within {longest} s after lifting, the longest rest recorded; start_rows takes the median of more readings."
         ),
         (None, None) => {
             "No force was lifted in a run, so that nothing is known of a zero.".to_owned()

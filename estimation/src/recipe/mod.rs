@@ -25,6 +25,7 @@ const DEVIATIONS: Range = Range::new(1.0, 1000.0, "robust deviations");
 const DECAY: Range = Range::new(0.0, 1e6, "");
 const TIME_CONSTANT: Range = Range::new(0.0, 1e9, "s");
 const MOST_WINDOW: u64 = 10_000;
+const MOST_START_ROWS: u64 = 1000;
 const MOST_LAYERS: usize = 8;
 const NODES: (u64, u64) = (1, 256);
 /// Rows of a process; 5000 make a covariance of 200 MB.
@@ -79,6 +80,10 @@ pub struct Preprocess {
     /// Whether each run's first reading is taken off.
     #[field(default = StartValue::Auto)]
     pub start_value: StartValue,
+    /// First readings of a run, or after a zero of a stream, whose median is taken off. While they come it is that of those so far.
+    #[field(default = 1, within = (1, MOST_START_ROWS))]
+    #[serde(default = "first_reading")]
+    pub start_rows: usize,
     /// Whether the sign of signals is turned.
     pub turn_sign: bool,
     /// The clock that signals and forces are interpolated to, Hz; none leaves rows as they are.
@@ -104,6 +109,11 @@ pub struct Preprocess {
     /// A longer time between rows is a pause, s; none for ten typical intervals. Nothing is carried over a pause.
     #[field(within = SECONDS)]
     pub pause_s: Option<f64>,
+}
+
+/// First readings whose median was taken off before recipes had a number of them.
+pub(crate) fn first_reading() -> usize {
+    1
 }
 
 /// Whether each run's first reading is taken off.

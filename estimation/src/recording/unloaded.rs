@@ -15,16 +15,23 @@ const ZERO_SHARE: f64 = 0.5;
 /// First readings that are taken off: that of the run which is learnt from and that of the one which is estimated.
 const FIRST_READINGS: f64 = 2.0;
 
-/// Whether every force is measured as none, or not measured, when a run begins.
-pub(crate) fn begins_unloaded(run: &Recording) -> bool {
-    run.forces.columns().into_iter().all(|forces| {
-        let mut known = forces.iter().copied().filter(|force| force.is_finite());
-        let Some(first) = known.next() else {
-            return true;
-        };
-        let most = known.fold(first.abs(), |most, force| most.max(force.abs()));
-        first.abs() <= UNLOADED * most
-    })
+/// Whether every force is measured as none, or not measured, in a run's first rows, so many of them.
+pub(crate) fn begins_unloaded(run: &Recording, start_rows: usize) -> bool {
+    let most = largest_forces(run);
+    run.forces
+        .columns()
+        .into_iter()
+        .zip(most)
+        .all(|(forces, most)| {
+            let Some(first) = forces.iter().position(|force| force.is_finite()) else {
+                return true;
+            };
+            // Of a force that isn't measured then, the first measurement.
+            let begin = forces.iter().take(start_rows.max(first + 1));
+            begin
+                .filter(|force| force.is_finite())
+                .all(|force| force.abs() <= UNLOADED * most)
+        })
 }
 
 /// The signals without a force: their medians over rows whose forces are measured as none, or over all rows of a run without forces. `None` where no row is unloaded,
@@ -40,8 +47,25 @@ pub fn zero(run: &Recording) -> Option<Vec<f64>> {
 
 /// Whether one run's first reading is its zero, and worth taking off: the signals come back to it without a force, as a motor's position doesn't, and it is nearer to
 /// what they are then than that is to 0. A logger that has zeroed its signals leaves nothing to take off, and a noisy first sample would add its own error twice.
-pub(crate) fn is_first_a_zero(run: &Recording) -> bool {
-    begins_unloaded(run) && comes_back(run) && gains(run)
+pub(crate) fn is_first_a_zero(run: &Recording, start_rows: usize) -> bool {
+    let first = reading_at(run, 0, start_rows);
+    begins_unloaded(run, start_rows) && comes_back(run, &first) && gains(run, &first)
+}
+
+/// The medians of so many readings of a run from a row on, one a signal.
+pub(crate) fn reading_at(run: &Recording, row: usize, rows: usize) -> Vec<f64> {
+    let readings = run.signals.rows().into_iter().skip(row).take(rows);
+    let readings: Vec<Vec<f64>> = readings.map(|reading| reading.to_vec()).collect();
+    median_reading(run.signals.ncols(), &readings)
+}
+
+/// The medians of readings, one a signal; of an even number the upper one.
+pub(crate) fn median_reading(signals: usize, readings: &[Vec<f64>]) -> Vec<f64> {
+    let median = |signal: usize| {
+        let values = readings.iter().map(|reading| reading[signal]);
+        upper_median(values.filter(|x| x.is_finite())).unwrap_or(f64::NAN)
+    };
+    (0..signals).map(median).collect()
 }
 
 pub(super) fn unloaded_rows(run: &Recording) -> Vec<usize> {
@@ -101,28 +125,32 @@ fn liftings_below(run: &Recording, share: f64) -> Vec<(usize, usize)> {
 }
 
 /// Whether most signals are near their first reading wherever no force acts.
-fn comes_back(run: &Recording) -> bool {
+fn comes_back(run: &Recording, first: &[f64]) -> bool {
     let unloaded = unloaded_rows(run);
-    let share = |signal: ArrayView1<'_, f64>| {
-        let first = *signal.first()?;
+    let share = |(signal, first): (ArrayView1<'_, f64>, &f64)| {
         let away = unloaded.iter().map(|row| (signal[*row] - first).powi(2));
         let away = (away.sum::<f64>() / unloaded.len().max(1) as f64).sqrt();
         // One that doesn't vary is at its first reading: 0 / 0 tells nothing.
         Some(away / signal.std(0.0)).filter(|share| share.is_finite())
     };
-    let shares = run.signals.columns().into_iter().filter_map(share);
+    let shares = run.signals.columns().into_iter().zip(first);
+    let shares = shares.filter_map(share);
     upper_median(shares).is_none_or(|share| share <= ZERO_SHARE)
 }
 
 /// Whether the zero is further from 0, as another run's may be, than first readings are from the zero: median of the signals, each over its deviation, squared.
-fn gains(run: &Recording) -> bool {
+fn gains(run: &Recording, first: &[f64]) -> bool {
     let Some(zero) = zero(run) else {
         return true;
     };
     let square = |off: &dyn Fn(f64, f64) -> f64| {
-        let columns = run.signals.columns().into_iter().zip(&zero);
-        let squares = columns.filter_map(|(signal, zero)| {
-            let share = off(*signal.first()?, *zero) / signal.std(0.0);
+        let columns = run
+            .signals
+            .columns()
+            .into_iter()
+            .zip(first.iter().zip(&zero));
+        let squares = columns.filter_map(|(signal, (first, zero))| {
+            let share = off(*first, *zero) / signal.std(0.0);
             Some(share * share).filter(|square| square.is_finite())
         });
         upper_median(squares).unwrap_or(0.0)
@@ -193,7 +221,7 @@ mod tests {
                 row => zero + (row % 2) as f64,
             });
             let forces = Array2::from_shape_fn((41, 1), |(row, _)| (row % 2) as f64 * 10.0);
-            is_first_a_zero(&run(signals, forces))
+            is_first_a_zero(&run(signals, forces), 1)
         };
         // 2 off^2 <= zero^2.
         assert!(made(0.2, 0.14) && !made(0.2, 0.15));

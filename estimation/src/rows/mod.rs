@@ -15,7 +15,7 @@ use crate::features::{StreamSettings, features};
 use crate::recipe::{Kind, Loss, Recipe, SplitKind, StartValue};
 use crate::recording::look::suspect_samples::{SuspectSample, suspect_samples};
 use crate::recording::named_columns::NamedColumns;
-use crate::recording::unloaded::{begins_unloaded, is_first_a_zero, zero};
+use crate::recording::unloaded::{begins_unloaded, is_first_a_zero, reading_at, zero};
 use crate::recording::{PAUSE_INTERVALS, Recording};
 use crate::relations::learnt_relations::Relations;
 use crate::rows::suspect_rows::{SuspectRow, suspect_rows};
@@ -238,6 +238,7 @@ impl Runs {
     pub fn stream_settings(&self, recipe: &Recipe, start: Start) -> StreamSettings {
         StreamSettings {
             subtract_start: start != Start::Kept,
+            start_rows: recipe.preprocess.start_rows,
             turn_sign: recipe.preprocess.turn_sign,
             smooth_rows: recipe.preprocess.smooth_rows,
             window_rows: recipe.features.window_rows,
@@ -247,7 +248,10 @@ impl Runs {
 
     /// Features of all rows of all runs, with this taken off; a run without an unloaded row has its first reading taken off.
     pub fn features(&self, settings: &StreamSettings, start: Start) -> Array2<f64> {
-        let pairs = self.runs.iter().zip(self.taken_off(start));
+        let pairs = self
+            .runs
+            .iter()
+            .zip(self.taken_off(start, settings.start_rows));
         let of_runs: Vec<Array2<f64>> = pairs
             .map(|(run, off)| features(run, settings, off))
             .collect();
@@ -256,11 +260,8 @@ impl Runs {
     }
 
     /// Reading that is taken off each run's signals; `None` where none is.
-    pub(crate) fn taken_off(&self, start: Start) -> Vec<Option<Vec<f64>>> {
-        let first = |run: &Recording| {
-            let mut readings = run.signals.rows().into_iter();
-            readings.next().map(|reading| reading.to_vec())
-        };
+    pub(crate) fn taken_off(&self, start: Start, start_rows: usize) -> Vec<Option<Vec<f64>>> {
+        let first = |run: &Recording| (run.rows() > 0).then(|| reading_at(run, 0, start_rows));
         let of_run = |(run, sound): (&Recording, Cow<'_, Recording>)| match start {
             Start::Kept => None,
             // Unless that is a spike.
@@ -306,19 +307,21 @@ impl Runs {
         }
     }
 
-    /// Whether every run begins unloaded: then its first reading is what the signals are without a force.
-    pub fn begin_unloaded(&self) -> bool {
-        self.sound_runs().all(|run| begins_unloaded(&run))
+    /// Whether every run begins unloaded: then its first readings are what the signals are without a force.
+    pub fn begin_unloaded(&self, start_rows: usize) -> bool {
+        self.sound_runs()
+            .all(|run| begins_unloaded(&run, start_rows))
     }
 
     /// Returns what is taken off; None where left-out runs are to tell.
-    pub fn start(&self, asked: StartValue) -> Option<Start> {
-        match asked {
+    pub fn start(&self, recipe: &Recipe) -> Option<Start> {
+        let first = |run: Cow<'_, Recording>| is_first_a_zero(&run, recipe.preprocess.start_rows);
+        match recipe.preprocess.start_value {
             StartValue::Subtract => Some(Start::First),
             StartValue::Keep => Some(Start::Kept),
             StartValue::Unloaded => Some(Start::Unloaded),
             StartValue::Auto if self.runs.len() > 1 => None,
-            StartValue::Auto => match self.sound_runs().all(|run| is_first_a_zero(&run)) {
+            StartValue::Auto => match self.sound_runs().all(first) {
                 true => Some(Start::First),
                 false => Some(Start::Kept),
             },

@@ -104,6 +104,7 @@ mod tests {
         };
         let settings = StreamSettings {
             subtract_start: true,
+            start_rows: 1,
             turn_sign: true,
             smooth_rows: 2,
             window_rows: 3,

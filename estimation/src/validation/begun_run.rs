@@ -3,7 +3,7 @@
 use crate::features::{StreamSettings, move_signals};
 use crate::model::even_subset::even_subset;
 use crate::recording::Recording;
-use crate::recording::unloaded::{is_unloaded, largest_forces, liftings};
+use crate::recording::unloaded::{is_unloaded, largest_forces, liftings, reading_at};
 
 /// Shares of a run's largest force under which it is begun.
 pub(super) const LOADS: [f64; 3] = [0.25, 0.5, 1.0];
@@ -19,7 +19,7 @@ const MOST_ROWS: usize = 100;
 pub(super) enum Beginning {
     /// Row under a share of its largest force.
     Loaded { load: usize, force: f64 },
-    /// Row so long after lifting, as its zero.
+    /// Row so long after lifting, as the first of its zero.
     Rested { rest: usize },
     /// Row without a force, by the zero of the other runs.
     AtRest,
@@ -95,9 +95,12 @@ impl LeftOutRun<'_> {
     fn rests(&self) -> Vec<(usize, usize)> {
         let liftings = liftings(self.run);
         let time_s = &self.run.time_s;
+        // Nothing presses until there is a zero.
+        let more = self.settings.start_rows - 1;
         let of_rest = |(rest, rest_s): (usize, &f64)| {
             let rested = |(first, last): &(usize, usize)| {
-                (*first..=*last).find(|row| time_s[*row] - time_s[*first] >= *rest_s)
+                (*first..=*last)
+                    .find(|row| time_s[*row] - time_s[*first] >= *rest_s && row + more <= *last)
             };
             let rows: Vec<usize> = liftings.iter().filter_map(rested).collect();
             let taken = even_subset(rows.len(), MOST_LIFTINGS);
@@ -112,7 +115,8 @@ impl LeftOutRun<'_> {
     /// Begins it with a row whose reading is the zero. Where none is taken off, it counts by how far it is from the learnt one, if that is given.
     fn begin(&self, fold: usize, at: Beginning, row: usize, learnt: Option<&Vec<f64>>) -> BegunRun {
         // Windows that reach across the begin are short there.
-        let reach = self.settings.smooth_rows + self.settings.window_rows;
+        let settings = self.settings;
+        let reach = settings.smooth_rows + settings.window_rows + settings.start_rows - 1;
         let is_after = |(labelled, _): &&(usize, usize)| *labelled > row + reach;
         let after: Vec<usize> = self
             .labelled
@@ -127,7 +131,7 @@ impl LeftOutRun<'_> {
             rows: taken.into_iter().map(|place| after[place]).collect(),
             offsets: self.offsets(
                 self.taken_off.or(learnt),
-                &self.run.signals.row(row).to_vec(),
+                &reading_at(self.run, row, settings.start_rows),
             ),
         }
     }

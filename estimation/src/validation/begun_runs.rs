@@ -42,7 +42,7 @@ pub struct BegunError {
 /// Errors of runs by where they begin.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct BegunErrors {
-    /// Mean load at the beginning, N, and the error, for each of [`LOADS`] that there is.
+    /// Mean load at the beginning, N, and the error, for each share of the largest force that there is.
     pub loaded: Vec<(f64, f64, BegunError)>,
     /// Rest, s, and the error.
     pub rested: Vec<(f64, BegunError)>,
@@ -70,7 +70,7 @@ impl BegunRuns {
         recipe: &Recipe,
     ) -> Self {
         let settings = runs.stream_settings(recipe, start);
-        let taken_off = runs.taken_off(start);
+        let taken_off = runs.taken_off(start, settings.start_rows);
         let of_fold = |(number, fold): (usize, &Fold)| {
             let left_out = runs_of(rows, &fold.test);
             let zero = runs.zero_without(&left_out);
@@ -204,6 +204,8 @@ fn labelled(rows: &LabelledRows, run: usize) -> Vec<(usize, usize)> {
 #[cfg(test)]
 mod tests {
     use ndarray::Array2;
+    use rand::{RngExt, SeedableRng};
+    use rand_chacha::ChaCha8Rng;
 
     use super::*;
     use crate::recipe::{FeatureSet, Kind};
@@ -214,30 +216,41 @@ mod tests {
     /// Largest force, N; signal of one N.
     const MOST: f64 = 10.0;
     const GAIN: f64 = 2.0;
+    /// Deviation of its noise.
+    const NOISE: f64 = 0.4;
 
-    /// Run of two presses at 10 Hz, each 4 s up and down with a rest of 8 s after it, of a signal of 2 a newton, which keeps a residue that fades with 1 s.
-    fn run(number: usize, residue: f64) -> Recording {
-        let force = |row: usize| match row % 120 {
-            k @ 0..40 => MOST * (k.min(40 - k) as f64 / 20.0),
+    /// Run of 3 s at rest and two presses at 10 Hz, each 4 s up and down with a rest of 8 s after it, of a signal of 2 a newton, which keeps a residue that fades with 1 s and has normal noise.
+    fn run(number: usize, residue: f64, noise: f64) -> Recording {
+        let mut random = ChaCha8Rng::seed_from_u64(number as u64);
+        let pressed = |row: usize| row.checked_sub(30).map(|row| row % 120);
+        let force = |row: usize| match pressed(row) {
+            Some(k @ 0..40) => MOST * (k.min(40 - k) as f64 / 20.0),
             _ => 0.0,
         };
-        let left = |row: usize| match row % 120 {
-            k @ 40.. => residue * (-(k as f64 - 40.0) / 10.0).exp(),
+        let left = |row: usize| match pressed(row) {
+            Some(k @ 40..) => residue * (-(k as f64 - 40.0) / 10.0).exp(),
             _ => 0.0,
         };
-        let signal = |row: usize| GAIN * force(row) + left(row) + 0.3 * number as f64;
+        let mut signal = |row: usize| {
+            let draws: f64 = (0..12).map(|_| random.random_range(0.0..1.0)).sum();
+            GAIN * force(row) + left(row) + 0.3 * number as f64 + noise * (draws - 6.0)
+        };
         Recording {
             name: format!("{number}.csv"),
-            time_s: (0..240).map(|row| 0.1 * row as f64).collect(),
-            signals: Array2::from_shape_fn((240, 1), |(row, _)| signal(row)),
-            forces: Array2::from_shape_fn((240, 1), |(row, _)| force(row)),
+            time_s: (0..270).map(|row| 0.1 * row as f64).collect(),
+            signals: Array2::from_shape_fn((270, 1), |(row, _)| signal(row)),
+            forces: Array2::from_shape_fn((270, 1), |(row, _)| force(row)),
             cycle: None,
         }
     }
 
     /// Errors and the least load of three runs of which each is left out of a line, with this taken off.
     fn begun(residue: f64, start: Start) -> (BegunErrors, f64) {
-        let recipe = Recipe::default();
+        let recordings = (0..3).map(|number| run(number, residue, 0.0));
+        begun_of(recordings.collect(), &Recipe::default(), start)
+    }
+
+    fn begun_of(recordings: Vec<Recording>, recipe: &Recipe, start: Start) -> (BegunErrors, f64) {
         let names = NamedColumns {
             time: "time_s".to_owned(),
             signals: vec!["s1".to_owned()],
@@ -246,17 +259,16 @@ mod tests {
             time_unit: None,
             converted: Vec::new(),
         };
-        let recordings = (0..3).map(|number| run(number, residue));
-        let runs = Runs::new(&recipe, names, recordings.collect()).expect("runs");
-        let features = runs.features(&runs.stream_settings(&recipe, start), start);
+        let runs = Runs::new(recipe, names, recordings).expect("runs");
+        let features = runs.features(&runs.stream_settings(recipe, start), start);
         let rows = runs.of_force(0, &features);
-        let splits = Splits::new(&rows, &recipe, 0.1);
-        let begun = BegunRuns::new((&runs, 0, start), &rows, splits.of_runs(), &recipe);
+        let splits = Splits::new(&rows, recipe, 0.1);
+        let begun = BegunRuns::new((&runs, 0, start), &rows, splits.of_runs(), recipe);
         let line = Candidate {
             kind: Kind::Ridge,
             features: FeatureSet::Raw,
         };
-        let said = begun.said(line, &rows, splits.of_runs(), &recipe);
+        let said = begun.said(line, &rows, splits.of_runs(), recipe);
         let said = [said.expect("learns")];
         let errors = begun.errors(&rows, &said).expect("runs were left out");
         (errors, begun.loaded_above(&said))
@@ -303,6 +315,21 @@ mod tests {
         assert!((1.0..=5.0).contains(&rest_s), "{rest_s}");
         // 8 s are the longest rest.
         assert_eq!(errors.rested.last().map(|(rest_s, _)| *rest_s), Some(5.0));
+    }
+
+    /// The median of 25 readings has root(pi / 2 / 25) = 1/4 of the noise of one, so that a run zeroed by it is off by 1.03 times the noise; 600 rows tell that to 3 %.
+    #[test]
+    fn a_zero_of_several_readings_has_less_noise_than_one() {
+        let zeroed = |start_rows: usize| {
+            let mut recipe = Recipe::default();
+            recipe.preprocess.start_rows = start_rows;
+            let runs = (0..3).map(|number| run(number, 0.0, NOISE));
+            let (errors, _) = begun_of(runs.collect(), &recipe, Start::First);
+            errors.rested.first().expect("was lifted").1.rmse
+        };
+        let [one, several] = [1, 25].map(zeroed);
+        assert!(several < 1.1 * NOISE / GAIN, "{several}");
+        assert!(one > 1.2 * NOISE / GAIN, "{one}");
     }
 
     #[test]

@@ -31,7 +31,7 @@ fn runs_of(recipe: &Recipe, text: &str) -> Runs {
 }
 
 fn ranked(recipe: &Recipe, runs: &Runs) -> Ranking {
-    let start = runs.start(recipe.preprocess.start_value).expect("one run");
+    let start = runs.start(recipe).expect("one run");
     let features = runs.features(&runs.stream_settings(recipe, start), start);
     let rows = runs.of_force(0, &features);
     let splits = Splits::new(&rows, recipe, runs.interval_s.1);

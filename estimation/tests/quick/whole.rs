@@ -250,7 +250,7 @@ fn returning(unloaded: f64, first_force: f64) -> Recording {
 fn a_first_reading_is_taken_off_one_run_where_signals_come_back_to_it() {
     let auto = |recording: Recording| {
         let runs = Runs::new(&recipe(), names(), vec![recording]).expect("a run");
-        runs.start(StartValue::Auto)
+        runs.start(&Recipe::default())
     };
     // u away from the first reading without a force, of a deviation root((u^2 + 1) / 2): the share is 1/2 at u = 1 / root 7 = 0.378, the first of the 401 rows apart.
     assert_eq!(auto(returning(0.37, 0.0)), Some(Start::First));
@@ -258,7 +258,7 @@ fn a_first_reading_is_taken_off_one_run_where_signals_come_back_to_it() {
     assert_eq!(auto(returning(0.37, 10.0)), Some(Start::Kept));
     let two = vec![run(1, 200), run(2, 200)];
     let runs = Runs::new(&recipe(), names(), two).expect("runs");
-    assert_eq!(runs.start(StartValue::Auto), None);
+    assert_eq!(runs.start(&Recipe::default()), None);
 }
 
 #[test]

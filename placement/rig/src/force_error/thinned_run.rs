@@ -131,6 +131,7 @@ impl ThinnedRun {
 fn features_of(films: &FilmReadings, settings: &RigSettings, rows: &[usize]) -> Array2<f64> {
     let mut stream = FeatureStream::new(StreamSettings {
         subtract_start: false,
+        start_rows: 1,
         turn_sign: false,
         smooth_rows: 1,
         window_rows: WINDOW_ROWS,

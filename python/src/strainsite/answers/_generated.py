@@ -207,7 +207,7 @@ class BeginningsReport:
     loaded: tuple[LoadedReport, ...]
     """Runs that begin under a load, which is taken for nothing where the first reading is taken off."""
     rested: tuple[RestedReport, ...]
-    """Runs that are zeroed by one reading after lifting."""
+    """Runs that are zeroed after lifting."""
     rest_s: float | None = None
     """Least rest after which the error is at most 1.2 times that of the same rows as recorded, s; None where no
     recorded rest is long enough."""

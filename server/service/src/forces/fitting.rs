@@ -141,7 +141,7 @@ fn rows_of_forces(recipe: &Recipe, runs: &Runs, start: Start) -> Vec<LabelledRow
 
 /// Reading that is taken off: as the recipe says, or as left-out runs say of lines and processes on raw signals.
 fn start(recipe: &Recipe, runs: &Runs, work: Work<'_>) -> Start {
-    if let Some(start) = runs.start(recipe.preprocess.start_value) {
+    if let Some(start) = runs.start(recipe) {
         return start;
     }
     let tried: Vec<(Start, Vec<LabelledRows>)> = [Start::First, Start::Kept]
@@ -383,15 +383,13 @@ fn more_notes(runs: &Runs, start: Start, recipe: &Recipe) -> Vec<String> {
     let mut notes = suspect_signals(&runs.runs, &runs.names);
     notes.push(columns_read(&runs.names));
     notes.extend(runs.names.conversions());
-    notes.push(
-        match start {
-            Start::First => "the first reading of each run is taken off its signals",
-            Start::Kept => "the first reading of each run is kept",
-            Start::Unloaded => "each run's median without a force is taken off its signals; of a recording that is estimated the first reading is, unless force apply --start says what",
-        }
-        .to_owned(),
-    );
-    if start == Start::First && !runs.begin_unloaded() {
+    notes.push(match (start, recipe.preprocess.start_rows) {
+        (Start::First, 1) => "the first reading of each run is taken off its signals".to_owned(),
+        (Start::First, rows) => format!("the median of the first {rows} readings of each run is taken off its signals"),
+        (Start::Kept, _) => "the first reading of each run is kept".to_owned(),
+        (Start::Unloaded, _) => "each run's median without a force is taken off its signals; of a recording that is estimated the first reading is, unless force apply --start says what".to_owned(),
+    });
+    if start == Start::First && !runs.begin_unloaded(recipe.preprocess.start_rows) {
         notes.push(
             "a run begins with a force: its first reading isn't what the signals are without one"
                 .to_owned(),

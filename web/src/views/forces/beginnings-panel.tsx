@@ -13,7 +13,7 @@ export function BeginningsPanel({ force }: { force: ForceReport }) {
       <BeginningsTable beginnings={beginnings} />
       <p class="quiet">
         RMSE of {force.force} on runs that weren't learnt from, begun elsewhere than they were recorded: under a quarter, half and all of their largest force,
-        and zeroed by one reading so long after the force was lifted. Beside it the same rows of the same runs as recorded.
+        and zeroed so long after the force was lifted. Beside it the same rows of the same runs as recorded.
       </p>
     </section>
   );
