@@ -35,7 +35,7 @@ class Attacks:
 
     def run(self, *arguments, **options):
         """The ended program."""
-        options = {"preexec_fn": bounded, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True, "timeout": 30, **options}
+        options = {"preexec_fn": bounded, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True, "timeout": 5, **options}
         command = [BIN, *map(str, arguments)]
         try:
             return subprocess.run(command, cwd=self.folder, env=self._env, **options)
