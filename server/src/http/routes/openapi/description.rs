@@ -191,10 +191,40 @@ fn problem() -> Value {
 #[cfg(test)]
 mod tests {
     use std::collections::BTreeSet;
+    use std::fs;
 
     use axum::Router;
 
     use super::*;
+
+    /// The file from which the page's types and the Python client's are made.
+    const COMMITTED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../web/openapi.json");
+
+    /// Replaces numbers by what JavaScript, which writes the committed file, takes them for.
+    fn as_script_reads(value: &mut Value) {
+        match value {
+            Value::Number(number) => *value = json!(number.as_f64()),
+            Value::Array(items) => items.iter_mut().for_each(as_script_reads),
+            Value::Object(fields) => fields.values_mut().for_each(as_script_reads),
+            Value::Null | Value::Bool(_) | Value::String(_) => {}
+        }
+    }
+
+    #[test]
+    fn the_committed_description_is_that_of_the_routes() {
+        let committed = fs::read_to_string(COMMITTED).expect("the committed description");
+        let mut committed: Value = serde_json::from_str(&committed).expect("JSON");
+        let mut described = DOCUMENT.clone();
+        for part in ["paths", "components", "x-tables"] {
+            as_script_reads(&mut committed[part]);
+            as_script_reads(&mut described[part]);
+            // No `assert_eq`, which would print both.
+            assert!(
+                committed[part] == described[part],
+                "{part}: run make generate, and commit what it made"
+            );
+        }
+    }
 
     /// The paths of a router, and those that axum adds to every router: it lists them nowhere but in its debugging text.
     fn paths(router: &Router<AppState>) -> BTreeSet<String> {
