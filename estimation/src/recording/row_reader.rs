@@ -7,7 +7,7 @@ use super::csv_line::{cells, number};
 use super::force_unit::measured_in;
 use super::named_columns::NamedColumns;
 use super::recording_fault::{FaultKind, FaultList};
-use super::time_column::nanoseconds_beside;
+use super::time_column::{NO_SECONDS, nanoseconds_beside};
 use super::time_text;
 use crate::recipe::time_unit::TimeUnit;
 
@@ -78,6 +78,11 @@ impl RowReader {
         let Some(time_s) = number(text)?.map(|number| unit.seconds(number)) else {
             return Ok(None);
         };
+        if time_s.abs() >= NO_SECONDS {
+            return Err(format!(
+                "is {time_s:.3e} s, 3000 years or more: a time is a number whose unit time_unit = \"ms\", \"us\" or \"ns\" under [columns] says"
+            ));
+        }
         let Some(nanoseconds) = self.nanoseconds else {
             return Ok(Some(time_s));
         };
@@ -188,6 +193,24 @@ mod tests {
             let times: Vec<f64> = rows(header, lines).iter().map(|row| row.time_s).collect();
             assert_eq!(times, [0.05, 0.1], "{header}");
         }
+    }
+
+    #[test]
+    fn no_time_is_thousands_of_years() {
+        let header = ["time_s", "s1", "fz_n"].map(str::to_owned).to_vec();
+        let names = NamedColumns::find(&Columns::default(), [&header]);
+        let reader = RowReader::new(&names, &header, false).expect("columns");
+        let mut faults = FaultList::of("r.csv");
+        // A date since 1970 in seconds, the same in milliseconds, and a number whose neighbours are 1e51 apart.
+        assert!(reader.row(2, "1795852800,1,2", &mut faults).is_some());
+        for line in ["1795852800000,1,2", "-7.8e67,1,2"] {
+            assert_eq!(reader.row(3, line, &mut faults), None, "{line}");
+            assert_eq!(reader.time_s(line), None, "{line}");
+        }
+        let [fault] = &faults.into_faults()[..] else {
+            panic!("faults of one kind are one");
+        };
+        assert!(fault.detail.contains("time_unit"), "{fault}");
     }
 
     #[test]

@@ -31,8 +31,8 @@ const TIMES: [&str; 11] = [
 /// Names of times in seconds that stand beside nanoseconds, or alone.
 const SECONDS: [&str; 3] = ["sec", "secs", "seconds"];
 const NANOSECONDS: [&str; 4] = ["nanosec", "nsec", "nsecs", "nanosecs"];
-/// Numbers from here on are no seconds: they would be 3000 years.
-const NO_SECONDS: f64 = 1e11;
+/// Numbers from here on are no seconds: they would be 3000 years, and steps of a fast clock would be lost in their rounding.
+pub(super) const NO_SECONDS: f64 = 1e11;
 /// Rows so far apart may be so many milliseconds, s.
 const DOUBTFUL_S: f64 = 2.0;
 

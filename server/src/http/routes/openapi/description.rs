@@ -215,7 +215,7 @@ mod tests {
         let committed = fs::read_to_string(COMMITTED).expect("the committed description");
         let mut committed: Value = serde_json::from_str(&committed).expect("JSON");
         let mut described = DOCUMENT.clone();
-        for part in ["paths", "components", "x-tables"] {
+        for part in ["info", "tags", "paths", "components", "x-tables"] {
             as_script_reads(&mut committed[part]);
             as_script_reads(&mut described[part]);
             // No `assert_eq`, which would print both.
