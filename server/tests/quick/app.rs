@@ -52,18 +52,15 @@ impl Home {
 
     /// A service that answers these alone.
     pub async fn start_for(&self, outside: Outside) -> App {
-        let solver = Arc::new(ClosedFormSolver::new());
-        let app = serve_to(self.database(), solver, TURN, outside).await;
-        app.expect("the service starts")
+        let mut parts = parts(self.database(), Arc::new(ClosedFormSolver::new()));
+        parts.outside = outside;
+        started(parts).await.expect("the service starts")
     }
 
     pub async fn start_with(&self, solver: ClosedFormSolver, limits: Limits) -> App {
-        let outside = Outside {
-            limits,
-            ..Outside::default()
-        };
-        let app = serve_to(self.database(), Arc::new(solver), TURN, outside).await;
-        app.expect("the service starts")
+        let mut parts = parts(self.database(), Arc::new(solver));
+        parts.outside.limits = limits;
+        started(parts).await.expect("the service starts")
     }
 
     pub async fn start_on(&self, solver: Arc<dyn Solver>) -> App {
@@ -73,9 +70,16 @@ impl Home {
 
     /// A service whose work never gives way: how much it finds solved doesn't depend on how busy the machine is.
     pub async fn start_without_turns(&self, solver: Arc<dyn Solver>) -> App {
-        let turn = Duration::from_secs(3600);
-        let app = serve_to(self.database(), solver, turn, Outside::default()).await;
-        app.expect("the service starts")
+        let mut parts = parts(self.database(), solver);
+        parts.turn = Duration::from_secs(3600);
+        started(parts).await.expect("the service starts")
+    }
+
+    /// A service that gives a preview so long.
+    pub async fn start_with_previews_of(&self, limit: Duration, solver: Arc<dyn Solver>) -> App {
+        let mut parts = parts(self.database(), solver);
+        parts.preview_limit = limit;
+        started(parts).await.expect("the service starts")
     }
 
     pub async fn start(&self, solver: ClosedFormSolver) -> App {
@@ -90,16 +94,11 @@ impl Home {
 
 /// A service on a database, on two threads.
 pub async fn serve(database: PathBuf, solver: Arc<dyn Solver>) -> Result<App, StartError> {
-    serve_to(database, solver, TURN, Outside::default()).await
+    started(parts(database, solver)).await
 }
 
-async fn serve_to(
-    database: PathBuf,
-    solver: Arc<dyn Solver>,
-    turn: Duration,
-    outside: Outside,
-) -> Result<App, StartError> {
-    let parts = ServiceParts {
+fn parts(database: PathBuf, solver: Arc<dyn Solver>) -> ServiceParts {
+    ServiceParts {
         address: "127.0.0.1:0".parse().expect("address"),
         database,
         previewer: solver.clone(),
@@ -108,9 +107,12 @@ async fn serve_to(
         learner: Box::new(|| program(fit_process::ARGUMENT)),
         analyst: Box::new(|| program(analysis_process::ARGUMENT)),
         threads: 2,
-        turn,
-        outside,
-    };
+        turn: TURN,
+        outside: Outside::default(),
+    }
+}
+
+async fn started(parts: ServiceParts) -> Result<App, StartError> {
     Ok(App {
         service: Service::start(parts).await?,
         client: client(),

@@ -143,6 +143,27 @@ async fn a_client_that_goes_away_ends_its_preview() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
+async fn a_preview_beyond_its_limit_says_what_to_do_and_ends() {
+    let home = Home::new();
+    let counting = Arc::new(Counting {
+        solver: slow(),
+        begun: AtomicUsize::new(0),
+    });
+    let limit = Duration::from_millis(300);
+    let app = home.start_with_previews_of(limit, counting.clone()).await;
+    let answer = request(&app, &study()).send().await.expect("an answer");
+    let refused = problem(answer, StatusCode::SERVICE_UNAVAILABLE).await;
+    let detail = refused["detail"].as_str().expect("a sentence");
+    assert!(
+        detail.contains("submit the document as a study"),
+        "{detail}"
+    );
+    tokio::time::sleep(Duration::from_millis(500)).await;
+    let begun = counting.begun.load(Ordering::Relaxed);
+    assert!(begun < 26, "{begun} of 26 solves");
+}
+
+#[tokio::test(flavor = "multi_thread")]
 async fn a_load_without_equilibrium_has_no_preview() {
     let home = Home::new();
     let app = home
