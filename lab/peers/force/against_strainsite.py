@@ -1,6 +1,6 @@
 """Compares `strainsite force` with nine scikit-learn variants on unseen runs and prints a Markdown table.
 
-python against_strainsite.py [--cases quick|all|FAMILY:SEED:RUNS,...] [--rolling-start-off] [--json FILE]
+python against_strainsite.py [--cases quick|all|counted|FAMILY:SEED:RUNS,...] [--rolling-start-off] [--json FILE]
 
 A case is a family of virtual recordings, a seed, and how many runs are learnt from; the next run of the same sensor is
 estimated. strainsite's recipe is empty. The program is $STRAINSITE_BIN, or else target/release/strainsite.
@@ -30,6 +30,8 @@ PROGRAM = os.environ.get("STRAINSITE_BIN") or str(HERE.parents[2] / "target" / "
 RECIPE = ""
 QUICK = [("press", 1, 1), ("press", 2, 2), ("press", 3, 3), ("shear", 1, 2), ("fingers", 1, 2), ("tire", 1, 2)]
 ALL = [(family, seed, runs) for family in virtual_recordings.FAMILIES for seed in (1, 2, 3) for runs in (1, 2, 3)]
+# The 24 cases, 60 forces, of which README.md counts what holds: odd seeds learn from one run, even ones from two.
+COUNTED = [(family, seed, 1 if seed % 2 else 2) for seed in range(7, 13) for family in virtual_recordings.FAMILIES]
 # A model is useful when its RMSE is at most this share of the training mean's.
 USEFUL_SHARE = 0.95
 TITLES = {
@@ -47,6 +49,14 @@ TITLES = {
     "chosen": "chosen",
     "useful": "useful: said / true",
     "fit_s": "fit, s",
+}
+# What is counted, by what it says of a row.
+CLAIMS = {
+    "no worse than the median of nine": lambda row: row["over_median"] <= 1.0,
+    "coverage at least 90 %, 80 % where one run was learnt": lambda row: row["coverage"] >= (0.8 if row["case"].endswith(":1") else 0.9),
+    "interval score at most 1.7 times the best of nine's": lambda row: row["score_over_best"] <= 1.7,
+    "claimed RMSE within a factor of 2.5 of the true one": lambda row: 1 / 2.5 <= row["claimed_over_true"] <= 2.5,
+    "useful or useless, said rightly": lambda row: row["agree"],
 }
 
 
@@ -155,16 +165,14 @@ def summary(rows):
     for key in ("over_median", "over_best", "coverage", "score_over_best", "claimed_over_true", "fit_s"):
         values = [row[key] for row in rows]
         lines.append(f"- {TITLES[key]}: median {statistics.median(values):.3g}, {min(values):.3g} to {max(values):.3g}")
-    agreed = sum(row["agree"] for row in rows)
-    below = sum(row["over_median"] <= 1.0 for row in rows)
-    lines.append(f"- useful, said and true: agree in {agreed} of {len(rows)}")
-    lines.append(f"- no worse than the median of nine in {below} of {len(rows)}")
+    for claim, holds in CLAIMS.items():
+        lines.append(f"- {claim}: {sum(map(holds, rows))} of {len(rows)}")
     return "\n".join(lines)
 
 
 def cases(text):
     """Cases by name, or one by one."""
-    named = {"quick": QUICK, "all": ALL}
+    named = {"quick": QUICK, "all": ALL, "counted": COUNTED}
     if text in named:
         return named[text]
     return [(family, int(seed), int(runs)) for family, seed, runs in (case.split(":") for case in text.split(","))]
@@ -172,7 +180,7 @@ def cases(text):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--cases", type=cases, default="quick", metavar="quick|all|FAMILY:SEED:RUNS,...")
+    parser.add_argument("--cases", type=cases, default="quick", metavar="quick|all|counted|FAMILY:SEED:RUNS,...")
     parser.add_argument("--rolling-start-off", action="store_true", help="rolling features with the start value off")
     parser.add_argument("--json", type=pathlib.Path, help="all figures, with every digit")
     arguments = parser.parse_args()
