@@ -75,19 +75,23 @@ impl RowReader {
             return Ok(Some(seconds));
         }
         let unit = self.names.time_unit.unwrap_or(TimeUnit::S);
-        let Some(time_s) = number(text)?.map(|number| unit.seconds(number)) else {
+        let Some(whole) = number(text)?.map(|number| unit.seconds(number)) else {
             return Ok(None);
         };
+        let rest = match self.nanoseconds {
+            Some(nanoseconds) => number(cell(nanoseconds))?,
+            None => Some(0.0),
+        };
+        let Some(rest) = rest else {
+            return Ok(None);
+        };
+        let time_s = whole + TimeUnit::Ns.seconds(rest);
         if time_s.abs() >= NO_SECONDS {
             return Err(format!(
                 "is {time_s:.3e} s, 3000 years or more: a time is a number whose unit time_unit = \"ms\", \"us\" or \"ns\" under [columns] says"
             ));
         }
-        let Some(nanoseconds) = self.nanoseconds else {
-            return Ok(Some(time_s));
-        };
-        let rest = number(cell(nanoseconds))?;
-        Ok(rest.map(|rest| time_s + TimeUnit::Ns.seconds(rest)))
+        Ok(Some(time_s))
     }
 
     /// Reads one line; None after a fault.
@@ -167,10 +171,14 @@ mod tests {
     use super::*;
     use crate::recipe::Columns;
 
-    fn rows(header: &str, lines: [&str; 2]) -> Vec<Row> {
+    fn reader(header: &str) -> RowReader {
         let header: Vec<String> = header.split(',').map(str::to_owned).collect();
         let names = NamedColumns::find(&Columns::default(), [&header]);
-        let reader = RowReader::new(&names, &header, false).expect("columns");
+        RowReader::new(&names, &header, false).expect("columns")
+    }
+
+    fn rows(header: &str, lines: [&str; 2]) -> Vec<Row> {
+        let reader = reader(header);
         let mut faults = FaultList::of("r.csv");
         let row = |line| reader.row(2, line, &mut faults).expect("a row");
         lines.map(row).to_vec()
@@ -197,20 +205,31 @@ mod tests {
 
     #[test]
     fn no_time_is_thousands_of_years() {
-        let header = ["time_s", "s1", "fz_n"].map(str::to_owned).to_vec();
-        let names = NamedColumns::find(&Columns::default(), [&header]);
-        let reader = RowReader::new(&names, &header, false).expect("columns");
-        let mut faults = FaultList::of("r.csv");
-        // A date since 1970 in seconds, the same in milliseconds, and a number whose neighbours are 1e51 apart.
-        assert!(reader.row(2, "1795852800,1,2", &mut faults).is_some());
-        for line in ["1795852800000,1,2", "-7.8e67,1,2"] {
-            assert_eq!(reader.row(3, line, &mut faults), None, "{line}");
-            assert_eq!(reader.time_s(line), None, "{line}");
+        // A date since 1970 in seconds, the same in milliseconds, and numbers whose neighbours are far more than seconds apart.
+        for (header, good, bad) in [
+            (
+                "time_s,s1,fz_n",
+                "1795852800,1,2",
+                ["1795852800000,1,2", "-7.8e67,1,2"],
+            ),
+            (
+                "sec,nanosec,s1,fz_n",
+                "1795852800,5,1,2",
+                ["1795852800000,5,1,2", "1,7.8e67,1,2"],
+            ),
+        ] {
+            let reader = reader(header);
+            let mut faults = FaultList::of("r.csv");
+            assert!(reader.row(2, good, &mut faults).is_some());
+            for line in bad {
+                assert_eq!(reader.row(3, line, &mut faults), None, "{line}");
+                assert_eq!(reader.time_s(line), None, "{line}");
+            }
+            let [fault] = &faults.into_faults()[..] else {
+                panic!("faults of one kind are one");
+            };
+            assert!(fault.detail.contains("time_unit"), "{fault}");
         }
-        let [fault] = &faults.into_faults()[..] else {
-            panic!("faults of one kind are one");
-        };
-        assert!(fault.detail.contains("time_unit"), "{fault}");
     }
 
     #[test]
