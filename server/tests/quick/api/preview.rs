@@ -29,6 +29,15 @@ struct Counting {
     begun: AtomicUsize,
 }
 
+impl Counting {
+    fn slow() -> Arc<Self> {
+        Arc::new(Self {
+            solver: slow(),
+            begun: AtomicUsize::new(0),
+        })
+    }
+}
+
 impl Solver for Counting {
     fn version(&self) -> String {
         self.solver.version()
@@ -128,10 +137,7 @@ async fn a_preview_is_answered_while_a_study_runs_which_goes_on() {
 #[tokio::test(flavor = "multi_thread")]
 async fn a_client_that_goes_away_ends_its_preview() {
     let home = Home::new();
-    let counting = Arc::new(Counting {
-        solver: slow(),
-        begun: AtomicUsize::new(0),
-    });
+    let counting = Counting::slow();
     let app = home.start_on(counting.clone()).await;
     let impatient = request(&app, &study()).timeout(Duration::from_millis(400));
     assert!(impatient.send().await.expect_err("too slow").is_timeout());
@@ -145,10 +151,7 @@ async fn a_client_that_goes_away_ends_its_preview() {
 #[tokio::test(flavor = "multi_thread")]
 async fn a_preview_beyond_its_limit_says_what_to_do_and_ends() {
     let home = Home::new();
-    let counting = Arc::new(Counting {
-        solver: slow(),
-        begun: AtomicUsize::new(0),
-    });
+    let counting = Counting::slow();
     let limit = Duration::from_millis(300);
     let app = home.start_with_previews_of(limit, counting.clone()).await;
     let answer = request(&app, &study()).send().await.expect("an answer");
