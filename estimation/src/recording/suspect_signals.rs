@@ -1,4 +1,4 @@
-//! Signals that are no sensors: the reference itself, what somebody has estimated from it, moments that were measured with it, a counter.
+//! Signals that are no sensors: the reference itself, what somebody has estimated from it, moments that were measured with it, counters.
 
 use ndarray::ArrayView1;
 
@@ -39,6 +39,11 @@ pub fn suspicion(
     if runs.iter().all(|run| counts(run.signals.column(signal))) {
         return Some(format!(
             "signal {shown} rises by the same in every row, as a counter or a clock does; {leave_out}"
+        ));
+    }
+    if runs.iter().all(|run| counts_up(run.signals.column(signal))) {
+        return Some(format!(
+            "signal {shown} is whole and never falls, as a number of cycles does: if it is one, say cycle = {name:?} under [columns]; else {leave_out}"
         ));
     }
     let lower = name.to_lowercase();
@@ -92,6 +97,14 @@ fn counts(signal: ArrayView1<'_, f64>) -> bool {
     step > 0.0 && pairs.all(|(a, b)| (b - a - step).abs() <= 1e-6 * step)
 }
 
+/// Whether a signal has whole numbers alone, which never fall and do rise: over presses that end no sensor's does.
+fn counts_up(signal: ArrayView1<'_, f64>) -> bool {
+    let whole = signal.iter().all(|value| value.fract() == 0.0);
+    let mut pairs = signal.iter().zip(signal.iter().skip(1));
+    let rises = signal.first() < signal.last() && pairs.all(|(a, b)| a <= b);
+    signal.len() >= FEWEST_ROWS && whole && rises
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -99,7 +112,15 @@ mod tests {
 
     #[test]
     fn what_is_no_sensor_is_named() {
-        let names = ["good", "loadcell_mv", "index", "fz_pred", "tx_nm"];
+        let names = [
+            "good",
+            "loadcell_mv",
+            "index",
+            "fz_pred",
+            "tx_nm",
+            "press",
+            "adc",
+        ];
         let value = |row: usize, signal: usize| {
             let force = (row as f64 * 0.3).sin();
             let noise = ((row * row * 7) as f64).sin();
@@ -108,13 +129,16 @@ mod tests {
                 // Printed with four digits.
                 1 => ((2.0 * force + 0.3) * 1e4).round() / 1e4,
                 2 => row as f64,
+                5 => (row / 21) as f64,
+                // Whole numbers that fall, too.
+                6 => (20.0 * force).round(),
                 _ => 0.5 * force + 0.1 * noise,
             }
         };
         let run = Recording {
             name: "r".to_owned(),
             time_s: (0..100).map(f64::from).collect(),
-            signals: Array2::from_shape_fn((100, 5), |(row, signal)| value(row, signal)),
+            signals: Array2::from_shape_fn((100, 7), |(row, signal)| value(row, signal)),
             forces: Array2::from_shape_fn((100, 1), |(row, _)| (row as f64 * 0.3).sin()),
             cycle: None,
         };
@@ -127,12 +151,13 @@ mod tests {
             converted: Vec::new(),
         };
         let told = suspect_signals(&[run], &columns);
-        assert_eq!(told.len(), 4, "{told:?}");
+        assert_eq!(told.len(), 5, "{told:?}");
         for (told, part) in told.iter().zip([
             "loadcell_mv is fz_n but",
             "index rises by",
             "fz_pred looks like somebody's",
             "tx_nm looks like a moment",
+            "press is whole and never falls",
         ]) {
             assert!(told.contains(part), "{told}");
         }

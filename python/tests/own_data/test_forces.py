@@ -170,6 +170,17 @@ def test_columns_are_looked_at_before_anything_is_learnt(client: Client, runs: l
     assert fault.detail.startswith("broken.csv, line 2, column s1")
 
 
+@pytest.mark.parametrize("encoding", ["utf-8", "latin-1", "utf-16"])
+def test_a_file_is_read_in_whichever_letters_it_is_written(
+    client: Client, runs: list[pd.DataFrame], tmp_path: Path, encoding: str
+) -> None:
+    path = tmp_path / "monday.csv"
+    renamed = runs[0].rename(columns={"s1": "s1_µV"})
+    path.write_text(renamed.to_csv(index=False, lineterminator="\n"), encoding=encoding)
+    (monday,) = client.look([path]).recordings
+    assert [column.column for column in monday.columns] == ["time_s", "s1_µV", "s2", "s3", "fx_n", "fz_n"]
+
+
 def test_files_texts_and_frames_are_the_same_recording(
     client: Client, estimator: Estimator, runs: list[pd.DataFrame], tmp_path: Path
 ) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 import json
 import os
 import tomllib
@@ -51,10 +52,17 @@ def recipe(given: Recipe | None) -> dict[str, Any]:
 
 
 def _text(path: Path) -> str:
+    """The text of a file as the command line reads it: UTF-16 with its mark, UTF-8, or else Latin-1."""
     try:
-        return path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
+        content = path.read_bytes()
+    except OSError as error:
         raise DocumentError(f"{path} can't be read: {error}") from error
+    if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        return content.decode("utf-16", errors="replace")
+    try:
+        return content.decode("utf-8")
+    except UnicodeDecodeError:
+        return content.decode("latin-1")
 
 
 def _read(text: str) -> dict[str, Any]:

@@ -1,7 +1,7 @@
 /** Recordings that forces are to be learnt from, and the recipe. */
 
 import * as api from "../../api.ts";
-import { withFiles, type RecordingFile } from "../../lib/forces/recording-files.ts";
+import { recordingOf, withFiles } from "../../lib/forces/recording-files.ts";
 import { estimatorRoute, type Route } from "../../lib/route.ts";
 import { emptyForcesDraft, newKey, type ForcesDraft } from "../app-state.ts";
 import { answerTo } from "../loadable.ts";
@@ -23,7 +23,7 @@ export function createForcesDraft(store: Store, onSubmitted: (route: Route) => v
   const changed = (change: Partial<ForcesDraft>): void => set({ ...change, problem: null, look: null, idempotencyKey: newKey() });
 
   async function add(files: readonly File[]): Promise<void> {
-    const read = await answerTo(Promise.all(files.map(async (file): Promise<RecordingFile> => ({ file: file.name, text: await file.text() }))));
+    const read = await answerTo(Promise.all(files.map(recordingOf)));
     if (read.status === "failed")
       return set({ problem: { title: "A file can't be read.", status: 0, detail: `A file can't be read. ${read.problem.detail ?? ""}` } });
     changed({ files: withFiles(draft.get().files, read.value) });

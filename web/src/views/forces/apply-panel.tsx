@@ -2,6 +2,7 @@ import { useMemo, useState } from "preact/hooks";
 import * as api from "../../api.ts";
 import { forceRange } from "../../lib/forces/band-drawing.ts";
 import { readEstimates, type Estimates } from "../../lib/forces/estimates-text.ts";
+import { recordingOf } from "../../lib/forces/recording-files.ts";
 import { integer, percent } from "../../lib/format.ts";
 import { fileName } from "../../lib/shell/file-names.ts";
 import { answerTo, type Loadable } from "../../state/loadable.ts";
@@ -22,8 +23,8 @@ export function ApplyPanel({ id, name }: { id: string; name: string }) {
 
   async function apply(file: File): Promise<void> {
     setApplied({ file: file.name, answer: { status: "loading" } });
-    const text = await answerTo(file.text());
-    const answer = text.status === "ready" ? await answerTo(api.applyEstimator(id, { file: file.name, text: text.value })) : text;
+    const read = await answerTo(recordingOf(file));
+    const answer = read.status === "ready" ? await answerTo(api.applyEstimator(id, read.value)) : read;
     setApplied((now) => (now?.file === file.name ? { file: file.name, answer } : now));
   }
 

@@ -1,1 +1,0 @@
-export{Bt as readToml}from"../views-Bar51thM.js";
