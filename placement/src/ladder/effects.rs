@@ -12,7 +12,7 @@ use crate::points::Place;
 use crate::points::RunContext;
 use crate::points::RunError;
 use crate::points::archive::Outcome;
-use crate::points::outcomes_of;
+use crate::points::{PointSeries, outcomes_of};
 use crate::score::quantity::at_locations;
 use documents::study::Study;
 use documents::study::plan::Plan;
@@ -54,7 +54,12 @@ pub(crate) fn measure(
         first,
         of: first + scenes.len(),
     };
-    let outcomes = match outcomes_of(&scenes, &values, &study.readout(), place, context) {
+    let series = PointSeries {
+        scenes: &scenes,
+        values: &values,
+        readout: &study.readout(),
+    };
+    let outcomes = match outcomes_of(series, place, context) {
         Ok(outcomes) => outcomes,
         // Without the coarse mesh there is nothing to compare with: that costs the effects, not the study.
         Err(RunError::PointsFailed { .. } | RunError::Refused { .. }) => return Ok(()),

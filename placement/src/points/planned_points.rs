@@ -5,7 +5,7 @@
 //! point's answer is the same to the bit on any number of threads and after any interruption.
 
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use fem_client::scene::Scene;
 use fem_client::solver::{Readout, SolveError, SolveRequest, Solver, StartState};
@@ -16,12 +16,11 @@ use super::point_readouts::PointReadouts;
 use super::point_watch::PointWatch;
 use super::run_error::{RunError, refusals};
 use super::run_event::{Event, Observer};
-use crate::points::archive::{Archive, ArchiveError, PointRecord};
-use crate::points::worker_threads::on_threads;
+use crate::points::archive::{Archive, ArchiveError, Outcome, PointRecord};
 use documents::study::sha256_hex;
 use results::{Cause, FailedPoint};
 
-/// Points of one run, with what they share.
+/// A series of points, with what they share.
 pub(crate) struct Points<'r> {
     /// The scene of each; the first is the one from whose equilibrium the others start.
     pub scenes: &'r [Scene],
@@ -37,6 +36,39 @@ pub(crate) struct Points<'r> {
     pub keys: Vec<String>,
     /// Place of the points in the run.
     pub place: Place,
+    /// Counts and locks of all series that are solved at once.
+    pub shared: &'r Shared,
+}
+
+/// Counts and locks that series have in common which are solved at once.
+#[derive(Default)]
+pub(crate) struct Shared {
+    done: Mutex<usize>,
+    ended: AtomicBool,
+    apart: Mutex<()>,
+}
+
+impl Shared {
+    /// Points of the run that are done.
+    pub fn done(&self) -> MutexGuard<'_, usize> {
+        // A number is whole even when an observer panicked while it was locked.
+        self.done.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Held while a solve has a process of its own: one at a time.
+    pub fn alone(&self) -> MutexGuard<'_, ()> {
+        self.apart.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Ends all series: what they still lack is of no use.
+    pub fn end(&self) {
+        self.ended.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether no further point is worth its time.
+    pub fn has_ended(&self) -> bool {
+        self.ended.load(Ordering::Relaxed)
+    }
 }
 
 /// Place of a plan's points among all that a run solves.
@@ -55,6 +87,16 @@ type Numbered<T> = (usize, T);
 pub(crate) struct Answers {
     pub points: Vec<Costed>,
     pub reused: usize,
+}
+
+impl Answers {
+    /// Outcomes alone.
+    pub fn outcomes(self) -> Vec<Outcome> {
+        self.points
+            .into_iter()
+            .map(|(outcome, _)| outcome)
+            .collect()
+    }
 }
 
 /// Content keys: SHA-256 over all that determines an outcome to the bit, which is the solver's version, the scene, the
@@ -105,15 +147,9 @@ enum Lack {
 }
 
 impl Points<'_> {
-    /// Loads or solves every point; the cut point's outcome is a response.
-    pub fn answers(&self, threads: usize) -> Result<Answers, RunError> {
-        let mut found = self.loaded()?;
+    /// Solves every point that wasn't found in the archive, on the threads of this one's pool; the cut point's outcome is a response.
+    pub fn answers(&self, mut found: Vec<Option<Costed>>) -> Result<Answers, RunError> {
         let reused = found.iter().flatten().count();
-        (self.observer)(Event::Started {
-            points: self.place.of,
-            reused: self.place.first + reused,
-        });
-        let done = Mutex::new(self.place.first + reused);
         let lacking: Vec<usize> = (0..found.len()).filter(|i| found[*i].is_none()).collect();
         let Suspicion {
             clean,
@@ -121,7 +157,7 @@ impl Points<'_> {
             quarantined,
         } = self.suspicion(&lacking)?;
         for (ordinal, answer) in quarantined {
-            self.report(ordinal, &answer, &done);
+            self.report(ordinal, &answer);
             found[ordinal] = Some(answer);
         }
         let cut_failed = matches!(found[0], Some((Err(_), _)));
@@ -130,12 +166,11 @@ impl Points<'_> {
                 Some(0) => Process::Apart,
                 _ => Process::Own,
             };
-            let start = self.cut_point(&mut found[0], of_cut, &done)?;
+            let start = self.cut_point(&mut found[0], of_cut)?;
             // Those that may end the program come last, and each alone: only one process more takes memory.
-            let (own, apart) = ((clean, Process::Own), (suspect, Process::Apart));
-            for ((ordinals, process), threads) in [(own, threads), (apart, 1)] {
+            for (ordinals, process) in [(clean, Process::Own), (suspect, Process::Apart)] {
                 let rest: Vec<usize> = ordinals.into_iter().filter(|i| *i != 0).collect();
-                for (ordinal, answer) in self.others(&rest, &start, process, threads, &done)? {
+                for (ordinal, answer) in self.others(&rest, &start, process)? {
                     found[ordinal] = Some(answer);
                 }
             }
@@ -150,7 +185,7 @@ impl Points<'_> {
     }
 
     /// Loads what the archive has of them.
-    fn loaded(&self) -> Result<Vec<Option<Costed>>, RunError> {
+    pub fn loaded(&self) -> Result<Vec<Option<Costed>>, RunError> {
         let mut found = Vec::with_capacity(self.keys.len());
         for keys in self.keys.chunks(AT_ONCE) {
             if self.stop.load(Ordering::Relaxed) {
@@ -183,7 +218,6 @@ impl Points<'_> {
         &self,
         found: &mut Option<Costed>,
         process: Process,
-        done: &Mutex<usize>,
     ) -> Result<StartState, RunError> {
         if found.is_none() {
             let Found {
@@ -192,12 +226,12 @@ impl Points<'_> {
                 lasting,
             } = match self.solved(0, None, process) {
                 Ok(solved) => solved,
-                Err(lack) => return Err(self.cut_error(lack, done)),
+                Err(lack) => return Err(self.cut_error(lack)),
             };
             if lasting {
                 self.save(0, &answer, state.as_ref())?;
             }
-            self.report(0, &answer, done);
+            self.report(0, &answer);
             *found = Some(answer);
             if let Some(state) = state {
                 return Ok(state);
@@ -218,13 +252,13 @@ impl Points<'_> {
         }
     }
 
-    fn cut_error(&self, lack: Lack, done: &Mutex<usize>) -> RunError {
+    fn cut_error(&self, lack: Lack) -> RunError {
         match lack {
             Lack::Stopped => RunError::Stopped,
             Lack::Archive(error) => RunError::Archive(error),
             Lack::Refused(SolveError::Refused { faults }) => RunError::Refused { faults },
             Lack::Refused(error) => {
-                self.report_refused(0, &error, done);
+                self.report_refused(0, &error);
                 self.without_cut(Cause::other(cause(&error)))
             }
         }
@@ -236,15 +270,13 @@ impl Points<'_> {
         ordinals: &[usize],
         start: &StartState,
         process: Process,
-        threads: usize,
-        done: &Mutex<usize>,
     ) -> Result<Vec<Numbered<Costed>>, RunError> {
         let over = AtomicBool::new(false);
         let unless_over = |&ordinal: &usize| {
-            if over.load(Ordering::Relaxed) {
+            if over.load(Ordering::Relaxed) || self.shared.has_ended() {
                 return None;
             }
-            let outcome = self.point(ordinal, start, process, done);
+            let outcome = self.point(ordinal, start, process);
             // Asked after a point, so that a run that is paused again and again still comes to its end.
             let paused = self
                 .pause
@@ -254,9 +286,15 @@ impl Points<'_> {
             }
             Some((ordinal, outcome))
         };
-        // In their order, so that of two mirrored grounds one is still remembered when the other one's turn comes.
-        let points = || ordinals.iter().par_bridge().filter_map(unless_over);
-        let mut outcomes: Vec<_> = on_threads(threads.min(ordinals.len()), || points().collect());
+        let mut outcomes: Vec<_> = match process {
+            // In their order, so that of two mirrored grounds one is still remembered when the other one's turn comes.
+            Process::Own => ordinals
+                .iter()
+                .par_bridge()
+                .filter_map(unless_over)
+                .collect(),
+            Process::Apart => ordinals.iter().filter_map(unless_over).collect(),
+        };
         outcomes.sort_by_key(|(ordinal, _)| *ordinal);
         let whole = outcomes.len() == ordinals.len();
         let answers = self.sorted_out(outcomes)?;
@@ -268,13 +306,7 @@ impl Points<'_> {
     }
 
     /// Solves, saves and reports one point, in this order: what is reported survives.
-    fn point(
-        &self,
-        ordinal: usize,
-        start: &StartState,
-        process: Process,
-        done: &Mutex<usize>,
-    ) -> Result<Costed, Lack> {
+    fn point(&self, ordinal: usize, start: &StartState, process: Process) -> Result<Costed, Lack> {
         match self.solved(ordinal, Some(start), process) {
             Ok(Found {
                 answer, lasting, ..
@@ -282,12 +314,12 @@ impl Points<'_> {
                 if lasting {
                     self.save(ordinal, &answer, None).map_err(Lack::Archive)?;
                 }
-                self.report(ordinal, &answer, done);
+                self.report(ordinal, &answer);
                 Ok(answer)
             }
             Err(lack) => {
                 if let Lack::Refused(error) = &lack {
-                    self.report_refused(ordinal, error, done);
+                    self.report_refused(ordinal, error);
                 }
                 Err(lack)
             }
@@ -337,7 +369,10 @@ impl Points<'_> {
             watch: &watch,
         };
         let found = loop {
-            match ask(self.solver, &request, process) {
+            let alone = matches!(process, Process::Apart).then(|| self.shared.alone());
+            let answer = ask(self.solver, &request, process);
+            drop(alone);
+            match answer {
                 Err(SolveError::Crashed { detail }) => {
                     let crashes = self.archive.crashed(key, &detail);
                     let crashes = crashes.map_err(Lack::Archive)?;
@@ -374,8 +409,8 @@ impl Points<'_> {
     }
 
     /// Counts and reports under one lock, so that the counts arrive in order.
-    fn report(&self, ordinal: usize, (outcome, cost): &Costed, done: &Mutex<usize>) {
-        let mut done = lock(done);
+    fn report(&self, ordinal: usize, (outcome, cost): &Costed) {
+        let mut done = self.shared.done();
         *done += 1;
         let (ordinal, of) = (self.place.first + ordinal, self.place.of);
         (self.observer)(match outcome {
@@ -396,8 +431,8 @@ impl Points<'_> {
     }
 
     /// A point that was refused isn't done.
-    fn report_refused(&self, ordinal: usize, error: &SolveError, done: &Mutex<usize>) {
-        let done = lock(done);
+    fn report_refused(&self, ordinal: usize, error: &SolveError) {
+        let done = self.shared.done();
         (self.observer)(Event::PointFailed {
             ordinal: self.place.first + ordinal,
             done: *done,
@@ -420,9 +455,4 @@ fn cause(error: &SolveError) -> String {
         SolveError::Refused { faults } => format!("{error}: {}", refusals(faults)),
         other => other.to_string(),
     }
-}
-
-/// A counter or list is whole even when an observer panicked while it was locked.
-fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

@@ -2,13 +2,15 @@
 
 use documents::study::Study;
 use documents::study::plan::Plan;
-use fem_client::solver::Cost;
+use fem_client::solver::{Cost, Readout};
 use gsa::method::analysis::Status;
 use results::{StudyCost, StudyResult};
 
 use crate::points::archive::Outcome;
 use crate::points::usage::Stopwatch;
-use crate::points::{Answers, Event, Place, RunContext, RunError, answers_of};
+use crate::points::{
+    Answers, Event, Place, PointSeries, RunContext, RunError, answers_of, answers_of_all,
+};
 use crate::score::analyst::Stopped;
 use crate::score::assemble::assemble;
 use crate::score::indices::Coarse;
@@ -54,30 +56,35 @@ pub(crate) fn run_from(
     let coarser = solver.coarser(&study.scene);
     let meshes = 1 + usize::from(coarser.is_some());
     let readout = study.readout();
-    let answers = |plan: &Plan, place: Place| {
-        answers_of(&plan.points, plan.values(), &readout, place, context)
+    let place = |plan: &Plan| Place {
+        first,
+        of: first + meshes * plan.points.len(),
     };
+    let on_coarser = |plan: &Plan| coarser.map(|coarser| plan.on_level(coarser.level));
     let mut solved = 0;
-    let (outcomes, costs) = loop {
-        let place = Place {
-            first,
-            of: first + meshes * plan.points.len(),
-        };
-        let Answers { points, reused } = answers(&plan, place)?;
+    let (outcomes, costs, beside) = loop {
+        // A plan that may grow is whole before its points are solved on the coarser mesh.
+        let beside = on_coarser(&plan).filter(|_| !study.method.kind.is_adaptive());
+        let plans = std::iter::once(&plan).chain(&beside);
+        let both: Vec<_> = plans.map(|plan| series_of(plan, &readout)).collect();
+        let mut answers = answers_of_all(&both, place(&plan), context)?;
+        let Answers { points, reused } = answers.remove(0)?;
         solved += points.len() - reused;
         let (outcomes, costs): (Vec<Outcome>, Vec<Cost>) = points.into_iter().unzip();
         let values = ranked_values(&outcomes, study.directions);
         if !plan.extend(study, &values.view())? {
-            break (outcomes, costs);
+            break (outcomes, costs, answers.pop());
         }
     };
     let reused = costs.len() - solved;
-    let coarse = coarser.map(|coarser| {
-        let place = Place {
-            first: first + plan.points.len(),
-            of: first + meshes * plan.points.len(),
-        };
-        let outcomes = on_coarser_mesh(answers(&plan.on_level(coarser.level), place))?;
+    let after = Place {
+        first: first + plan.points.len(),
+        ..place(&plan)
+    };
+    let of_coarser = |plan: Plan| answers_of(series_of(&plan, &readout), after, context);
+    let coarse = beside.or_else(|| on_coarser(&plan).map(of_coarser));
+    let coarse = coarser.zip(coarse).map(|(coarser, answers)| {
+        let outcomes = on_coarser_mesh(answers)?;
         Ok::<_, RunError>(Coarse { coarser, outcomes })
     });
     let coarse = coarse.transpose()?;
@@ -112,10 +119,19 @@ pub(crate) fn run_from(
     })
 }
 
+/// The points of a plan, which start from its cut point.
+fn series_of<'p>(plan: &'p Plan, readout: &'p Readout) -> PointSeries<'p> {
+    PointSeries {
+        scenes: &plan.points,
+        values: plan.values(),
+        readout,
+    }
+}
+
 /// Returns what the coarser mesh answered; nothing where a point broke or the cut point has no equilibrium there: that costs the mesh error, not the study.
 fn on_coarser_mesh(answers: Result<Answers, RunError>) -> Result<Option<Vec<Outcome>>, RunError> {
     match answers {
-        Ok(answers) => Ok(Some(answers.points.into_iter().map(|(o, _)| o).collect())),
+        Ok(answers) => Ok(Some(answers.outcomes())),
         Err(RunError::PointsFailed { .. } | RunError::Refused { .. }) => Ok(None),
         Err(error) => Err(error),
     }

@@ -6,7 +6,7 @@ use fem_client::solver::{Readout, Solver};
 use crate::points::Place;
 use crate::points::RunContext;
 use crate::points::RunError;
-use crate::points::outcomes_of;
+use crate::points::{PointSeries, outcomes_of};
 use crate::signals::amplifier_notes::amplifier_notes;
 use crate::signals::answers::{Answer, MeshAnswers};
 use crate::signals::signal_claims::claims;
@@ -168,7 +168,12 @@ pub(crate) fn answers_from_first(
     let begun_at = |begin: usize, place: Place| {
         let mut ordered = scenes.to_vec();
         ordered.swap(0, begin);
-        let mut outcomes = outcomes_of(&ordered, &values, readout, place, context)?;
+        let series = PointSeries {
+            scenes: &ordered,
+            values: &values,
+            readout,
+        };
+        let mut outcomes = outcomes_of(series, place, context)?;
         outcomes.swap(0, begin);
         Ok::<_, RunError>(outcomes)
     };

@@ -1,15 +1,15 @@
 //! Runs of whole studies: the same bits on any number of threads and after any interruption.
 
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Condvar, Mutex};
 use std::time::Duration;
 
 use documents::layouts::gluing_limits::GluingLimits;
 use documents::layouts::layout_settings::{Layouts, SearchSettings};
 use documents::study::plan::Plan;
 use fem_client::closed_form::ClosedFormSolver;
-use fem_client::scene::Level;
-use fem_client::solver::{Position, SolveError, SolveRequest};
+use fem_client::scene::{Level, Scene};
+use fem_client::solver::{Coarser, Position, SolveError, SolveRequest, Solved, Solver};
 use placement::ladder::climb::answer;
 use placement::points::Event;
 use placement::points::RunContext;
@@ -248,6 +248,83 @@ fn events_come_in_order() {
         })
         .collect();
     assert_eq!(counts, (1..=POINTS).collect::<Vec<_>>());
+}
+
+/// A solver with a coarser mesh, on which all is alike.
+struct OnTwoMeshes<F>(Twisted<F>);
+
+impl<F> Solver for OnTwoMeshes<F>
+where
+    F: Fn(&SolveRequest<'_>) -> Option<SolveError> + Send + Sync,
+{
+    fn version(&self) -> String {
+        self.0.version()
+    }
+
+    fn coarser(&self, _: &Scene) -> Option<Coarser> {
+        let (level, factor) = (Level::Draft, 1.0);
+        Some(Coarser { level, factor })
+    }
+
+    fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
+        self.0.solve(request)
+    }
+}
+
+/// The cut point's solve waits for the other mesh's to begin, which a thread without work takes.
+#[test]
+fn both_meshes_are_solved_at_once_on_as_many_threads_as_are_asked_for() {
+    const LONGEST: Duration = Duration::from_secs(20);
+    let study = shipped("foot-tire");
+    let (begun, beginning) = (Mutex::new(0), Condvar::new());
+    let (at_once, most) = (AtomicUsize::new(0), AtomicUsize::new(0));
+    let meets_the_other = AtomicBool::new(false);
+    let solver = OnTwoMeshes(Twisted::new(|request: &SolveRequest<'_>| {
+        most.fetch_max(
+            at_once.fetch_add(1, Ordering::Relaxed) + 1,
+            Ordering::Relaxed,
+        );
+        if request.start.is_none() {
+            *begun.lock().unwrap() += 1;
+            beginning.notify_all();
+            let both =
+                beginning.wait_timeout_while(begun.lock().unwrap(), LONGEST, |begun| *begun < 2);
+            meets_the_other.store(*both.unwrap().0 == 2, Ordering::Relaxed);
+        }
+        at_once.fetch_sub(1, Ordering::Relaxed);
+        None
+    }));
+    let (result, events) = observed(&study, &solver, &MemoryArchive::default(), 2);
+    assert!(meets_the_other.load(Ordering::Relaxed));
+    assert_eq!(most.load(Ordering::Relaxed), 2);
+    let counts = events.iter().filter_map(|event| match event {
+        Event::PointSolved { done, .. } => Some(*done),
+        _ => None,
+    });
+    assert_eq!(
+        counts.collect::<Vec<_>>(),
+        (1..=2 * POINTS).collect::<Vec<_>>()
+    );
+    let alone = OnTwoMeshes(Twisted::new(|_: &SolveRequest<'_>| None));
+    let alone = observed(&study, &alone, &MemoryArchive::default(), 1).0;
+    assert_eq!(text(&result.unwrap()), text(&alone.unwrap()));
+}
+
+#[test]
+fn without_the_cut_point_nothing_is_solved_on_the_coarser_mesh() {
+    let study = shipped("foot-tire");
+    let solver = OnTwoMeshes(Twisted::new(|_: &SolveRequest<'_>| {
+        let detail = "as asked".to_owned();
+        Some(SolveError::Broken { detail })
+    }));
+    let (result, events) = observed(&study, &solver, &MemoryArchive::default(), 1);
+    assert!(
+        matches!(result, Err(RunError::PointsFailed { .. })),
+        "{result:?}"
+    );
+    // A solve that breaks is tried twice.
+    assert_eq!(solver.0.solves.load(Ordering::Relaxed), 2);
+    assert_eq!(events.len(), 2, "{events:?}");
 }
 
 #[test]

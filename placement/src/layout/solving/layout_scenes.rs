@@ -34,7 +34,7 @@ pub struct LayoutScenes {
     tire: Scene,
     /// Loads at which layouts are scored, in the order of the document.
     pub loads: Vec<Pressed>,
-    /// Loads that are solved, the one in the middle of those asked for first: all others start from its equilibrium.
+    /// Loads that are solved: the one in the middle of those asked for, from whose equilibrium all others start, then these, the farthest first.
     pub solved: Vec<Pressed>,
 }
 
@@ -81,8 +81,11 @@ impl LayoutScenes {
         let (least, largest) = (sorted[0], sorted[sorted.len() - 1]);
         // The middle one of the loads first: its crown sets the noise.
         let middle = sorted[sorted.len() / 2];
-        let mut solved = vec![middle];
-        solved.extend(sorted.iter().filter(|load| **load != middle));
+        let mut others: Vec<Pressed> = sorted
+            .iter()
+            .copied()
+            .filter(|load| *load != middle)
+            .collect();
         let beside = sorted
             .iter()
             .flat_map(|load| BESIDE.map(|factor| load.times(factor)));
@@ -91,14 +94,18 @@ impl LayoutScenes {
             let is_near = |other: &Pressed| {
                 (other.value() - further.value()).abs() < TOO_NEAR * further.value()
             };
-            if !solved.iter().any(is_near) && pressed(&tire, further).is_some() {
-                solved.push(further);
+            let mut known = std::iter::once(&middle).chain(&others);
+            if !known.any(is_near) && pressed(&tire, further).is_some() {
+                others.push(further);
             }
         }
+        // The farther from the start, the longer a solve takes: begun last it would leave all threads but its own without work.
+        let apart = |load: &Pressed| (load.value() - middle.value()).abs();
+        others.sort_by(|a, b| apart(b).total_cmp(&apart(a)));
         Ok(Self {
             tire,
             loads,
-            solved,
+            solved: [vec![middle], others].concat(),
         })
     }
 
@@ -224,6 +231,7 @@ mod tests {
         let scenes = LayoutScenes::of(&settings, &Scene::default()).expect("loads");
         assert_eq!(scenes.solved[0], Pressed::Depth(1.0));
         assert_eq!(scenes.solved.len(), 11);
+        assert_eq!(scenes.solved[1], Pressed::Depth(2.5));
         let depths: Vec<f64> = scenes
             .scenes(Level::Draft)
             .iter()

@@ -15,7 +15,7 @@ use crate::points::Place;
 use crate::points::RunContext;
 use crate::points::RunError;
 use crate::points::archive::Outcome;
-use crate::points::outcomes_of;
+use crate::points::{Answers, PointSeries, answers_of_all};
 use crate::score::map_slopes::MapSlopes;
 use documents::study::Study;
 use documents::study::plan::Plan;
@@ -85,16 +85,30 @@ pub(crate) fn both_meshes<'s>(
         first,
         of: first + count(study, plan, context.solver),
     };
-    let mut on_mesh = |level: Level| solved(scenes, level, asked, study, plan, &mut place, context);
     let (level, coarser) = levels(study, plan, context.solver);
-    let fine = on_mesh(level)?;
-    let coarse = coarser.map(|coarser| Ok::<_, RunError>((on_mesh(coarser.level)?, coarser)));
-    let coarse = coarse.transpose()?;
+    let meshes: Vec<Level> = std::iter::once(level)
+        .chain(coarser.map(|coarser| coarser.level))
+        .collect();
+    let loads: Vec<Vec<Scene>> = meshes.iter().map(|level| scenes.scenes(*level)).collect();
+    let (readout, means) = (readout(asked.kinds.all()), &plan.values()[0]);
+    let pressed = outcomes_of_all(&loads, &readout, means, &mut place, context)?;
+    let mut fields = Vec::new();
+    for mesh in meshes.into_iter().zip(pressed) {
+        fields.push(mesh_answer(
+            mesh,
+            scenes,
+            (asked, study, means),
+            &mut place,
+            context,
+        )?);
+    }
+    let fine = fields.remove(0);
+    let coarse = coarser.and_then(|coarser| Some((fields.pop()?.ok()?, coarser)));
     let answer = fine.map(|fine| Answer {
         level,
         scenes,
         fine,
-        coarse: coarse.and_then(|(fields, coarser)| Some((fields.ok()?, coarser))),
+        coarse,
     });
     Ok((answer, place.first - first))
 }
@@ -105,29 +119,20 @@ fn count(study: &Study, plan: &Plan, solver: &dyn Solver) -> usize {
     series.map(|(scenes, _)| scenes.len()).sum()
 }
 
-/// Solves one mesh; the place moves behind its points. Without the first load there is nothing to start from: that costs the layouts, not the study.
-fn solved(
+/// Fields of one mesh, whose loads were solved; films glued on and dragged ground are solved now, and the place moves behind their points. Without the first load there
+/// is nothing to start from: that costs the layouts, not the study.
+fn mesh_answer(
+    (level, pressed): (Level, Result<Vec<Outcome>, String>),
     scenes: &LayoutScenes,
-    level: Level,
-    asked: &Asked,
-    study: &Study,
-    plan: &Plan,
+    (asked, study, means): (&Asked, &Study, &[f64]),
     place: &mut Place,
     context: RunContext<'_>,
 ) -> Result<Result<MeshFields, String>, RunError> {
-    let (kinds, means) = (asked.kinds.all(), &plan.values()[0]);
-    let pressed = outcomes(
-        &scenes.scenes(level),
-        &readout(kinds),
-        means,
-        place,
-        context,
-    )?;
     let pressed = match pressed {
         Ok(pressed) => pressed,
         Err(reason) => return Ok(Err(format!("Layouts have no scores: {reason}"))),
     };
-    let mut kinds = kinds.to_vec();
+    let mut kinds = asked.kinds.all().to_vec();
     if let Some(film) = &study.layouts.glued {
         let glued = GluedFilms::of_layouts(film, scenes, &kinds, level);
         kinds = match glued.kinds_in_volts(&pressed, means, place, context)? {
@@ -153,22 +158,42 @@ fn solved(
 
 /// Solves these scenes, or says why nothing came of them; the place moves behind their points.
 pub(crate) fn outcomes(
-    all: &[Scene],
+    scenes: &[Scene],
     readout: &Readout,
     means: &[f64],
     place: &mut Place,
     context: RunContext<'_>,
 ) -> Result<Result<Vec<Outcome>, String>, RunError> {
-    let values = vec![means.to_vec(); all.len()];
-    let outcomes = outcomes_of(all, &values, readout, *place, context);
-    place.first += all.len();
-    match outcomes {
-        Ok(outcomes) => Ok(Ok(outcomes)),
+    let mut found = outcomes_of_all(&[scenes.to_vec()], readout, means, place, context)?;
+    Ok(found.remove(0))
+}
+
+/// Solves several series of scenes at once, of which each starts from its own first one; of the first alone, where nothing came of it.
+fn outcomes_of_all(
+    all: &[Vec<Scene>],
+    readout: &Readout,
+    means: &[f64],
+    place: &mut Place,
+    context: RunContext<'_>,
+) -> Result<Vec<Result<Vec<Outcome>, String>>, RunError> {
+    let values = |scenes: &Vec<Scene>| vec![means.to_vec(); scenes.len()];
+    let values: Vec<Vec<Vec<f64>>> = all.iter().map(values).collect();
+    let series = all.iter().zip(&values);
+    let series = series.map(|(scenes, values)| PointSeries {
+        scenes,
+        values,
+        readout,
+    });
+    let answers = answers_of_all(&series.collect::<Vec<_>>(), *place, context)?;
+    place.first += all.iter().map(Vec::len).sum::<usize>();
+    let outcomes = |answers: Result<Answers, RunError>| match answers {
+        Ok(answers) => Ok(Ok(answers.outcomes())),
         Err(error @ (RunError::PointsFailed { .. } | RunError::Refused { .. })) => {
             Ok(Err(error.to_string()))
         }
         Err(error) => Err(error),
-    }
+    };
+    answers.into_iter().map(outcomes).collect()
 }
 
 fn without_scores(asked: &Asked, reason: &str) -> Vec<RankedLayout> {

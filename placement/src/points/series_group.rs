@@ -1,0 +1,104 @@
+//! Series of points that are solved at once, on the same threads.
+//!
+//! A series begins with one solve that the others start from, and with a tangent that they share: a core alone has work then, and another series has some for
+//! the next. What is solved of a series doesn't depend on that.
+
+use std::sync::atomic::Ordering;
+
+use fem_client::scene::Scene;
+use fem_client::solver::Readout;
+use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
+
+use super::planned_points::{Answers, Place, Points, Shared, keys};
+use super::run_context::RunContext;
+use super::run_error::RunError;
+use super::run_event::Event;
+use super::worker_threads::on_threads;
+
+/// Scenes of which all start from the first one's equilibrium.
+#[derive(Clone, Copy)]
+pub(crate) struct PointSeries<'s> {
+    /// The scene of each point.
+    pub scenes: &'s [Scene],
+    /// Input values of each.
+    pub values: &'s [Vec<f64>],
+    /// Places at which strains are read of each.
+    pub readout: &'s Readout,
+}
+
+/// Loads or solves all points of some series, whose ordinals follow each other. The first series decides: where it has no answers, the others begin no point more, and
+/// its error alone is given.
+///
+/// # Errors
+/// Of the archive, and a stop, before anything is solved; each series has an error of its own.
+pub(crate) fn answers_of_all(
+    series: &[PointSeries<'_>],
+    place: Place,
+    context: RunContext<'_>,
+) -> Result<Vec<Result<Answers, RunError>>, RunError> {
+    let shared = Shared::default();
+    let (mut all, mut first) = (Vec::new(), place.first);
+    for one in series {
+        let points = points(one, Place { first, ..place }, context, &shared)?;
+        let found = points.loaded()?;
+        first += one.scenes.len();
+        all.push((points, found));
+    }
+    let found = all.iter().flat_map(|(_, found)| found.iter().flatten());
+    let reused = found.count();
+    (context.observer)(Event::Started {
+        points: place.of,
+        reused: place.first + reused,
+    });
+    *shared.done() = place.first + reused;
+    let lacking = first - place.first - reused;
+    let answers = |(k, (points, found)): (usize, (Points<'_>, Vec<_>))| {
+        if shared.has_ended() {
+            return Err(RunError::Stopped);
+        }
+        let answers = points.answers(found);
+        if k == 0 && answers.is_err() {
+            shared.end();
+        }
+        answers
+    };
+    let mut found: Vec<_> = on_threads(context.threads.min(lacking), || {
+        all.into_par_iter().enumerate().map(answers).collect()
+    });
+    if shared.has_ended() {
+        found.truncate(1);
+    }
+    Ok(found)
+}
+
+/// A series with the keys of its points.
+fn points<'r>(
+    series: &PointSeries<'r>,
+    place: Place,
+    context: RunContext<'r>,
+    shared: &'r Shared,
+) -> Result<Points<'r>, RunError> {
+    let PointSeries {
+        scenes,
+        values,
+        readout,
+    } = *series;
+    let unless_stopped = |key| match context.stop.load(Ordering::Relaxed) {
+        true => Err(RunError::Stopped),
+        false => Ok(key),
+    };
+    let keys = keys(scenes, context.solver, readout).map(unless_stopped);
+    Ok(Points {
+        scenes,
+        values,
+        readout,
+        solver: context.solver,
+        archive: context.archive,
+        stop: context.stop,
+        pause: context.pause,
+        observer: context.observer,
+        keys: keys.collect::<Result<_, _>>()?,
+        place,
+        shared,
+    })
+}
