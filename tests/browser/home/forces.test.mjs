@@ -78,6 +78,11 @@ test("nothing was learnt yet, and a faulty recipe is refused at its place", asyn
   await page.locator('.fit-form input[type="file"]').setInputFiles([recording("tuesday.csv", 2), recording("monday.csv", 1), recording("sunday.csv", 3)]);
   await page.getByText("150 rows").first().waitFor();
   await page.getByRole("button", { name: "Leave sunday.csv out" }).click();
+  // As a logger of Latin-1 writes it.
+  const german = Buffer.from("# Prüfstand\nZeit;s1_µV\n0;1\n1;2\n", "latin1");
+  await page.locator('.fit-form input[type="file"]').setInputFiles({ name: "german.csv", mimeType: "text/csv", buffer: german });
+  await page.getByText("2 rows, 31 B; Zeit, s1_µV").waitFor();
+  await page.getByRole("button", { name: "Leave german.csv out" }).click();
   assert.deepEqual(await page.locator(".file-list li > span").evaluateAll((all) => all.map((each) => each.firstChild.textContent)), [
     "monday.csv",
     "tuesday.csv",
