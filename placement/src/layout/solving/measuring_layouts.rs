@@ -19,6 +19,7 @@ use crate::points::{Answers, PointSeries, answers_of_all};
 use crate::score::map_slopes::MapSlopes;
 use documents::study::Study;
 use documents::study::plan::Plan;
+use layouts::arrangement::FilmKind;
 use layouts::ranking::asked_layouts::AskedLayout;
 use results::{GradedNote, LayoutFindings, LayoutScore, RankedLayout, StudyResult, Topic};
 
@@ -92,9 +93,9 @@ pub(crate) fn both_meshes<'s>(
     let loads: Vec<Vec<Scene>> = meshes.iter().map(|level| scenes.scenes(*level)).collect();
     let (readout, means) = (readout(asked.kinds.all()), &plan.values()[0]);
     let pressed = outcomes_of_all(&loads, &readout, means, &mut place, context)?;
-    let mut fields = Vec::new();
+    let mut answers = Vec::new();
     for mesh in meshes.into_iter().zip(pressed) {
-        fields.push(mesh_answer(
+        answers.push(mesh_answer(
             mesh,
             scenes,
             (asked, study, means),
@@ -102,8 +103,11 @@ pub(crate) fn both_meshes<'s>(
             context,
         )?);
     }
-    let fine = fields.remove(0);
-    let coarse = coarser.and_then(|coarser| Some((fields.pop()?.ok()?, coarser)));
+    if study.layouts.shear && answers[0].is_ok() {
+        drag(&mut answers, scenes, asked, means, &mut place, context)?;
+    }
+    let fine = answers.remove(0).map(|answer| answer.fields);
+    let coarse = coarser.and_then(|coarser| Some((answers.pop()?.ok()?.fields, coarser)));
     let answer = fine.map(|fine| Answer {
         level,
         scenes,
@@ -119,15 +123,23 @@ fn count(study: &Study, plan: &Plan, solver: &dyn Solver) -> usize {
     series.map(|(scenes, _)| scenes.len()).sum()
 }
 
-/// Fields of one mesh, whose loads were solved; films glued on and dragged ground are solved now, and the place moves behind their points. Without the first load there
-/// is nothing to start from: that costs the layouts, not the study.
+/// Answer of one mesh.
+struct MeshAnswer {
+    level: Level,
+    /// Kinds of film, with their volts where they are glued.
+    kinds: Vec<FilmKind>,
+    fields: MeshFields,
+}
+
+/// Answer of one mesh whose loads were solved; films glued on are solved now, and the place moves behind their points. Without the first load there is nothing to
+/// start from: that costs the layouts, not the study.
 fn mesh_answer(
     (level, pressed): (Level, Result<Vec<Outcome>, String>),
     scenes: &LayoutScenes,
     (asked, study, means): (&Asked, &Study, &[f64]),
     place: &mut Place,
     context: RunContext<'_>,
-) -> Result<Result<MeshFields, String>, RunError> {
+) -> Result<Result<MeshAnswer, String>, RunError> {
     let pressed = match pressed {
         Ok(pressed) => pressed,
         Err(reason) => return Ok(Err(format!("Layouts have no scores: {reason}"))),
@@ -144,16 +156,31 @@ fn mesh_answer(
             }
         };
     }
-    let mut fields = match mesh_fields(scenes, &kinds, &pressed) {
-        Ok(fields) => fields,
-        Err(reason) => return Ok(Err(reason)),
-    };
-    if study.layouts.shear {
-        let scenes_of_level = scenes.sheared(level);
-        let dragged = outcomes(&scenes_of_level, &mirrored(&kinds), means, place, context)?;
-        add_shear(&mut fields, scenes, &kinds, dragged);
+    let fields = mesh_fields(scenes, &kinds, &pressed);
+    Ok(fields.map(|fields| MeshAnswer {
+        level,
+        kinds,
+        fields,
+    }))
+}
+
+/// Adds what the ground does that is dragged, on all meshes that have fields; the place moves behind its points.
+fn drag(
+    answers: &mut [Result<MeshAnswer, String>],
+    scenes: &LayoutScenes,
+    asked: &Asked,
+    means: &[f64],
+    place: &mut Place,
+    context: RunContext<'_>,
+) -> Result<(), RunError> {
+    let sheared = |answer: &MeshAnswer| scenes.sheared(answer.level);
+    let sheared: Vec<Vec<Scene>> = answers.iter().flatten().map(sheared).collect();
+    let readout = mirrored(asked.kinds.all());
+    let dragged = outcomes_of_all(&sheared, &readout, means, place, context)?;
+    for (answer, dragged) in answers.iter_mut().flatten().zip(dragged) {
+        add_shear(&mut answer.fields, scenes, &answer.kinds, dragged);
     }
-    Ok(Ok(fields))
+    Ok(())
 }
 
 /// Solves these scenes, or says why nothing came of them; the place moves behind their points.
