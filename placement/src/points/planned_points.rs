@@ -359,6 +359,8 @@ impl Points<'_> {
         process: Process,
     ) -> Result<Found, Lack> {
         let key = &self.keys[ordinal];
+        // Before it is said to have begun: what waits for a process of its own can't have ended the program.
+        let _alone = matches!(process, Process::Apart).then(|| self.shared.alone());
         self.archive.begin(key).map_err(Lack::Archive)?;
         let place = self.place.first + ordinal;
         let watch = PointWatch::new(self.stop, self.observer, place);
@@ -369,10 +371,7 @@ impl Points<'_> {
             watch: &watch,
         };
         let found = loop {
-            let alone = matches!(process, Process::Apart).then(|| self.shared.alone());
-            let answer = ask(self.solver, &request, process);
-            drop(alone);
-            match answer {
+            match ask(self.solver, &request, process) {
                 Err(SolveError::Crashed { detail }) => {
                     let crashes = self.archive.crashed(key, &detail);
                     let crashes = crashes.map_err(Lack::Archive)?;
