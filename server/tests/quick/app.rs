@@ -248,6 +248,11 @@ pub fn slow() -> ClosedFormSolver {
     ClosedFormSolver::new().with_delay(Duration::from_millis(100))
 }
 
+/// A solver whose studies don't end, so that a test finds the line as it left it. The test stops the service.
+pub fn endless() -> ClosedFormSolver {
+    ClosedFormSolver::new().with_delay(Duration::from_hours(1))
+}
+
 /// The closed form on a ground that presses by force: a tenth of a millimetre for each newton.
 pub struct ByForce;
 

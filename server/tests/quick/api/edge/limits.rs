@@ -5,7 +5,7 @@ use reqwest::{Response, StatusCode};
 use serde_json::{Value, json};
 use server::running::{Limits, Outside};
 
-use crate::app::{App, Home, problem, slow, study};
+use crate::app::{App, Home, endless, problem, slow, study};
 
 /// The answer to a client that has what the tag says.
 async fn again(app: &App, path: &str, etag: &str) -> Response {
@@ -65,7 +65,7 @@ async fn a_full_queue_takes_no_more_until_some_are_done() {
         waiting_studies: 2,
         ..Limits::default()
     };
-    let app = home.start_with(slow(), limits).await;
+    let app = home.start_with(endless(), limits).await;
     let running = app.submit(&study()).await;
     app.wait_for(&running, "running").await;
     let send = |key: &'static str| {
@@ -99,6 +99,7 @@ async fn a_full_queue_takes_no_more_until_some_are_done() {
     app.delete(&format!("/v1/studies/{}", waiting.as_str().expect("an id")))
         .await;
     assert_eq!(send("third").await.status(), StatusCode::ACCEPTED);
+    app.service.stop().await.expect("stops");
 }
 
 #[tokio::test(flavor = "multi_thread")]
@@ -108,7 +109,7 @@ async fn designs_of_a_sweep_wait_in_the_same_line() {
         waiting_studies: 2,
         ..Limits::default()
     };
-    let app = home.start_with(slow(), limits).await;
+    let app = home.start_with(endless(), limits).await;
     let post = |path: String, body: Value| {
         let request = app.client.post(app.url(&path)).json(&body);
         async move { request.send().await.expect("an answer") }
@@ -137,6 +138,7 @@ async fn designs_of_a_sweep_wait_in_the_same_line() {
     let resumed = post(format!("{path}/resume"), json!({})).await;
     assert_eq!(resumed.status(), StatusCode::ACCEPTED);
     assert_eq!(app.json(&path).await["counts"]["queued"], 2);
+    app.service.stop().await.expect("stops");
 }
 
 #[tokio::test(flavor = "multi_thread")]
