@@ -20,6 +20,7 @@ pub fn plan(order: Order, refinement: usize) -> MeshPlan {
         order,
         fine_angle: 18f64.to_radians(),
         fine: fine * refinement,
+        middle: None,
         coarse: coarse * refinement,
         meridional: meridional * refinement,
         meridional_growth: 6.0,

@@ -297,6 +297,7 @@ mod tests {
         order: Order::Linear,
         fine_angle: 0.4,
         fine: 2,
+        middle: None,
         coarse: 2,
         meridional: 3,
         meridional_growth: 2.0,

@@ -34,7 +34,7 @@ use fem_client::solver::gauge;
 use fem_client::solver::{
     Cost, Readout, SolveError, SolveRequest, Solved, Solver, StartState, by_depth_only,
 };
-use tire::mesh::tire_grid::MeshPlan;
+use tire::mesh::tire_grid::{MeshPlan, MiddleSector};
 use tire::mesh_error;
 use tire::model::{mesh_plan, mesh_plan_for};
 
@@ -128,6 +128,10 @@ fn linear(plan: &MeshPlan) -> MeshPlan {
     MeshPlan {
         order: Order::Linear,
         fine: per_brick * plan.fine,
+        middle: plan.middle.map(|middle| MiddleSector {
+            bricks: per_brick * middle.bricks,
+            ..middle
+        }),
         coarse: per_brick * plan.coarse,
         meridional: per_brick * plan.meridional,
         layers: per_brick * plan.layers,

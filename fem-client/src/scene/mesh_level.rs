@@ -28,9 +28,9 @@ impl Level {
     pub fn cells_of_reference_tire(self) -> usize {
         match self {
             Self::Draft => 300,
-            Self::Coarse => 1024,
-            Self::Standard => 3744,
-            Self::Reference => 9216,
+            Self::Coarse => 1536,
+            Self::Standard => 4320,
+            Self::Reference => 10240,
         }
     }
 }

@@ -101,8 +101,10 @@ pub struct SolveRequest<'a> {
 pub struct Coarser {
     /// The coarser level.
     pub level: Level,
-    /// Error of the finer level over its difference from the coarser one.
+    /// Error of the finer level over its difference from the coarser one, of a single value: two meshes may agree on it by chance.
     pub factor: f64,
+    /// Error over the largest difference of several values that are judged together.
+    pub of_largest: f64,
 }
 
 /// A part of reality that a scene's model doesn't have.

@@ -21,8 +21,8 @@ pub struct Readout {
     pub positions: bool,
     /// Lines around the wheel.
     pub rings: Vec<RingLine>,
-    /// Half of the sector around the contact that is meshed finely, degrees, where the ground itself asks for less: slopes of strains far from the contact
-    /// need it.
+    /// Wheel angle from the contact centre up to which bricks grow slowly, degrees, where the ground itself asks for less: slopes of strains far from the
+    /// contact need it.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub fine_deg: Option<f64>,
     /// Single points, each with a direction.

@@ -98,6 +98,7 @@ fn model(size: &str) -> Result<TireModel, String> {
         order: Order::Linear,
         fine_angle: 0.6,
         fine,
+        middle: None,
         coarse,
         meridional,
         meridional_growth: 3.0,

@@ -315,13 +315,12 @@ mod tests {
 
     #[test]
     fn measured_studies_are_met() {
-        // docs/proof/speed.md and docs/use/trade.md: whole studies on two cores, s. Between a half and twice: the law's 1.6 and what the machines of the two
-        // pages differ by.
+        // Whole studies on two quiet cores, s. Between a half and twice: the law's 1.3 and what machines differ by.
         for (level, wall_s) in [
-            ("draft", 0.21),
-            ("coarse", 2.3),
-            ("standard", 6.2),
-            ("reference", 30.0),
+            ("draft", 0.33),
+            ("coarse", 2.4),
+            ("standard", 5.4),
+            ("reference", 15.0),
         ] {
             let level = format!("preset = \"{level}\"");
             let expected = of(&study(&[("preset = \"standard\"", &level)]))
@@ -336,9 +335,9 @@ mod tests {
         // Peak memory, MB, of which the estimate is a bound: 1 to 3 times.
         for (level, megabytes) in [
             ("draft", 34.0),
-            ("coarse", 120.0),
-            ("standard", 322.0),
-            ("reference", 1219.0),
+            ("coarse", 273.0),
+            ("standard", 577.0),
+            ("reference", 1266.0),
         ] {
             let level = format!("preset = \"{level}\"");
             let expected =

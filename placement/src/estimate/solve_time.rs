@@ -1,8 +1,8 @@
 //! Time of a solve, by a law fitted to measured solves, and corrected by what this machine has measured.
 //!
 //! t = a (N / 300)^b with N the cells between nodes in a quarter of the tire ([`Solver::cells`]). `a` and `b` go through the processor times of the
-//! reference tire's draft (300 cells) and reference meshes (9216), one thread, from solves of whole studies with few and many points. On
-//! the coarse and standard meshes between them the laws are at most 1.6 times too long. The exponents
+//! reference tire's draft (300 cells) and reference meshes (10 240), one thread, from solves of whole studies. On the coarse and standard meshes between them
+//! the laws are at most 1.3 times too long. The exponents
 //! are within those of `docs/proof/speed.md`, 1.2 to 1.6.
 
 use std::collections::{BTreeMap, HashMap};
@@ -14,7 +14,7 @@ use fem_client::solver::{Readout, Solver};
 /// Cells of the draft mesh of the reference tire.
 const CELLS: f64 = 300.0;
 /// Inflating and pressing from nothing: s on the draft mesh, exponent.
-const AFRESH: (f64, f64) = (0.06, 1.37);
+const AFRESH: (f64, f64) = (0.045, 1.29);
 /// Law of a solve from a neighbouring equilibrium with its tangent.
 const NEAR: (f64, f64) = (0.011, 1.24);
 /// Reading a mirror image's strains and storing it, s.
@@ -27,8 +27,7 @@ const FILM: f64 = 2.0;
 const DRAGGED: [f64; 2] = [1.3, 2.4];
 /// The tangents that the points near a cut point share, in solves from nothing.
 const TANGENTS: f64 = 0.6;
-/// Memory of a mesh in work: bytes on the draft mesh, exponent, through studies on the draft (34 MB) and the reference mesh (1.2 GB); the standard
-/// mesh (322 MB) is met within a tenth, the coarse one (102 MB) is 80 MB.
+/// Memory of a mesh in work: bytes on the draft mesh, exponent, through studies on the draft (34 MB) and the reference mesh (1.3 GB).
 const MEMORY: (f64, f64) = (10e6, 1.4);
 
 /// A study's solves may be off what is expected of its machine by this factor, as far as is known before them.
@@ -125,6 +124,11 @@ impl Task {
             How::Near => self.stretch * self.drag * (glued * power(NEAR) + slip),
             How::Image => IMAGE_S,
         }
+    }
+
+    /// Returns the nodes of its surface over those of the draft mesh.
+    pub fn surface(&self) -> f64 {
+        (self.cells / CELLS).powf(2.0 / 3.0)
     }
 
     /// Peak memory of such a solve, bytes, without the program's own.
@@ -385,10 +389,10 @@ mod tests {
     fn the_law_is_near_what_was_measured_on_each_mesh() {
         // Processor times on the machine of docs/proof/speed.md; the fit goes through the outer two.
         let measured = [
-            (Level::Draft, 0.06, 0.011),
-            (Level::Coarse, 0.32, 0.046),
-            (Level::Standard, 1.2, 0.17),
-            (Level::Reference, 6.5, 0.77),
+            (Level::Draft, 0.037, 0.0104),
+            (Level::Coarse, 0.31, 0.074),
+            (Level::Standard, 1.06, 0.23),
+            (Level::Reference, 3.7, 0.74),
         ];
         for (level, cut_s, near_s) in measured {
             for (how, seconds) in [(How::Cut, cut_s), (How::Near, near_s)] {

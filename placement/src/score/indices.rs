@@ -122,9 +122,8 @@ fn analysed(
         _ => MeshError::Unknown,
     };
     let found = analyst.analyses(outcomes, stop)?;
-    let witness =
-        coarse.and_then(|coarse| Some((coarse.coarser.factor, coarse.outcomes.as_ref()?)));
-    let Some((factor, outcomes)) = witness else {
+    let witness = coarse.and_then(|coarse| Some((coarse.coarser, coarse.outcomes.as_ref()?)));
+    let Some((coarser, outcomes)) = witness else {
         let unseen = found.into_iter().map(|analysis| Analysed {
             analysis,
             mesh: unseen,
@@ -133,15 +132,20 @@ fn analysed(
         return Ok(unseen.collect());
     };
     let coarse = analyst.analyses(outcomes, stop)?;
-    let pairs = found.into_iter().zip(&coarse);
-    let with_mesh = pairs.map(|(analysis, coarse)| {
-        let error = mesh_error(&analysis, coarse, factor);
-        let first_order = coarse.first_order.clone();
+    let differences: Vec<Option<f64>> = found
+        .iter()
+        .zip(&coarse)
+        .map(|(fine, coarse)| largest_difference(fine, coarse))
+        .collect();
+    let differences = of_places(&differences, cut.locations.len());
+    let pairs = found.into_iter().zip(coarse).zip(differences);
+    let with_mesh = pairs.map(|((analysis, coarse), difference)| {
+        let error = difference.map(|difference| (coarser.of_largest * difference).min(1.0));
         Analysed {
             mesh: error.map_or(unseen, MeshError::Within),
-            coarser: first_order.map(|first_order| CoarserIndices {
+            coarser: coarse.first_order.map(|first_order| CoarserIndices {
                 first_order,
-                factor,
+                factor: coarser.factor,
             }),
             analysis,
         }
@@ -149,14 +153,27 @@ fn analysed(
     Ok(with_mesh.collect())
 }
 
-/// Mesh error of the first-order indices of one strain: their largest difference from the coarser mesh's, times what that says of the
-/// finer one. The largest, because a single index may agree on two meshes by chance: one in five did on the coarse level, and
-/// was off by up to seventeen times its own difference.
-fn mesh_error(fine: &Analysis, coarse: &Analysis, factor: f64) -> Option<f64> {
-    let indices = fine.first_order.iter().flatten();
+/// The largest difference of a strain's first-order indices between two meshes; `None` where one of them has no indices.
+fn largest_difference(fine: &Analysis, coarse: &Analysis) -> Option<f64> {
+    let indices = fine.first_order.as_ref()?.iter();
     let pairs = indices.zip(coarse.first_order.as_ref()?);
-    let differences = pairs.map(|(a, b)| factor * (a - b).abs());
-    Some(differences.fold(0.0, f64::max).min(1.0))
+    Some(pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max))
+}
+
+/// Returns for each strain the larger difference of both at its place, in the order of the readings: those at the locations alternate, the map has a layer after the other.
+/// A single index, or all of a strain, may agree on two meshes by chance.
+fn of_places(differences: &[Option<f64>], locations: usize) -> Vec<Option<f64>> {
+    let ends = Direction::ALL.len() * locations;
+    let cells = (differences.len() - ends) / Direction::ALL.len();
+    let other = |k: usize| match k {
+        _ if k < ends => k ^ 1,
+        _ if k < ends + cells => k + cells,
+        _ => k - cells,
+    };
+    let of_place = |(k, own): (usize, &Option<f64>)| {
+        own.map(|own| own.max(differences[other(k)].unwrap_or(0.0)))
+    };
+    differences.iter().enumerate().map(of_place).collect()
 }
 
 /// Error of each first-order index, the mesh's included; none where that is unknown.
@@ -287,5 +304,20 @@ fn layer(direction: Direction, strain: &[f64], analyses: &[Analysed], inputs: us
             .iter()
             .map(|output| output.analysis.status)
             .collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_place_has_the_larger_difference_of_its_two_strains() {
+        // Two locations (x, y, x, y), then three cells of x and the same of y.
+        let own = [1.0, 2.0, 4.0, 3.0, 1.0, 5.0, 2.0, 3.0, 4.0, 1.0].map(Some);
+        let of_place = [2.0, 2.0, 4.0, 4.0, 3.0, 5.0, 2.0, 3.0, 5.0, 2.0].map(Some);
+        assert_eq!(of_places(&own, 2), of_place);
+        // A strain without indices has no error, and makes none.
+        assert_eq!(of_places(&[None, Some(1.0)], 1), [None, Some(1.0)]);
     }
 }

@@ -159,7 +159,7 @@ fn a_tolerance_out_of_reach_ends_at_the_top_and_says_so() {
 #[test]
 fn at_the_top_the_method_takes_what_the_mesh_leaves() {
     let kinked = Meshed {
-        kink: 2e-3,
+        kink: 8e-4,
         ..Meshed::new()
     };
     let mut adaptive = at_level(Level::Reference);

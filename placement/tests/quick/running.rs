@@ -262,8 +262,11 @@ where
     }
 
     fn coarser(&self, _: &Scene) -> Option<Coarser> {
-        let (level, factor) = (Level::Draft, 1.0);
-        Some(Coarser { level, factor })
+        Some(Coarser {
+            level: Level::Draft,
+            factor: 1.0,
+            of_largest: 1.0,
+        })
     }
 
     fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {

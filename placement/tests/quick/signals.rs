@@ -89,6 +89,7 @@ impl Solver for KnownTire {
         (scene.model.level != Level::Draft).then_some(Coarser {
             level: Level::Draft,
             factor: FACTOR,
+            of_largest: FACTOR,
         })
     }
 

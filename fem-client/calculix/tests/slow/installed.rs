@@ -79,6 +79,7 @@ fn plan(refinement: usize) -> MeshPlan {
         order: Order::Linear,
         fine_angle: 0.5,
         fine: 6 * refinement,
+        middle: None,
         coarse: 4 * refinement,
         meridional: 8 * refinement,
         meridional_growth: 2.0,

@@ -1,5 +1,7 @@
 //! Grid lines of a tire's mesh: where bricks begin and end along each direction.
 
+use std::f64::consts::PI;
+
 /// Brick of a grid line that holds a coordinate (in the unit of the edges), and the place in it, -1 to 1.
 pub(crate) fn locate(edges: &[f64], value: f64) -> (usize, f64) {
     let last = edges.len() - 2;
@@ -11,18 +13,20 @@ pub(crate) fn locate(edges: &[f64], value: f64) -> (usize, f64) {
     (index, local.clamp(-1.0, 1.0))
 }
 
-/// Edges from 0 to pi, rad: a fine sector, then sizes that grow geometrically from the fine size.
-pub(crate) fn half_circle(fine_angle: f64, fine: usize, coarse: usize) -> Vec<f64> {
-    let size = fine_angle / fine as f64;
-    let mut edges: Vec<f64> = (0..fine).map(|i| size * i as f64).collect();
-    let rest = std::f64::consts::PI - fine_angle;
-    let ratio = growth_ratio(rest / size, coarse);
-    edges.extend(graded(
-        fine_angle,
-        std::f64::consts::PI,
-        coarse,
-        ratio.powi(coarse as i32 - 1),
-    ));
+/// Edges from 0 to pi, rad: a fine sector (its end and its intervals), then sizes that grow geometrically from the last one to the end of the middle sector, if
+/// there is one, and from there to pi.
+pub(crate) fn half_circle(
+    (fine_end, fine): (f64, usize),
+    middle: Option<(f64, usize)>,
+    coarse: usize,
+) -> Vec<f64> {
+    let mut edges = graded(0.0, fine_end, fine, 1.0);
+    for (end, intervals) in middle.into_iter().chain([(PI, coarse)]) {
+        let last = edges[edges.len() - 1];
+        let size = last - edges[edges.len() - 2];
+        let growth = growth_ratio((end - last) / size, intervals).powi(intervals as i32 - 1);
+        edges.extend(graded(last, end, intervals, growth).into_iter().skip(1));
+    }
     edges
 }
 
@@ -152,6 +156,31 @@ mod tests {
     use super::*;
 
     const EDGES: [f64; 6] = [-4.0, -2.0, 0.0, 1.0, 3.0, 6.0];
+
+    #[test]
+    fn sizes_of_a_half_circle_grow_steadily_through_its_sectors() {
+        let sizes = |edges: &[f64]| -> Vec<f64> {
+            edges.windows(2).map(|pair| pair[1] - pair[0]).collect()
+        };
+        let edges = half_circle((0.3, 10), Some((1.0, 12)), 4);
+        assert_eq!((edges.len(), edges[0]), (27, 0.0));
+        assert_eq!((edges[10], edges[22], edges[26]), (0.3, 1.0, PI));
+        let sizes = sizes(&edges);
+        let ratios: Vec<f64> = sizes.windows(2).map(|pair| pair[1] / pair[0]).collect();
+        let is_even = |ratios: &[f64], by: f64| ratios.iter().all(|r| (r / by - 1.0).abs() < 1e-9);
+        // The fine sector's are alike; each later sector has one ratio, from the size before it on.
+        assert!(is_even(&ratios[..9], 1.0), "{ratios:?}");
+        assert!(
+            is_even(&ratios[9..21], ratios[9]) && ratios[9] > 1.0,
+            "{ratios:?}"
+        );
+        assert!(
+            is_even(&ratios[21..], ratios[21]) && ratios[21] > ratios[9],
+            "{ratios:?}"
+        );
+        let without = half_circle((0.3, 10), None, 4);
+        assert_eq!((without.len(), without[10], without[14]), (15, 0.3, PI));
+    }
 
     #[test]
     fn lines_come_to_the_ends_of_an_interval_and_others_make_room() {

@@ -106,6 +106,7 @@ mod tests {
             order: Order::Quadratic,
             fine_angle: 0.3,
             fine: 2,
+            middle: None,
             coarse: 2,
             meridional: 2,
             meridional_growth: 2.0,

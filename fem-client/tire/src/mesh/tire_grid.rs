@@ -21,6 +21,8 @@ pub struct MeshPlan {
     pub fine_angle: f64,
     /// Bricks along the fine half sector.
     pub fine: usize,
+    /// Sector beyond the fine one whose bricks grow slowly; `None` where the far side begins at once.
+    pub middle: Option<MiddleSector>,
     /// Bricks from there to the far side.
     pub coarse: usize,
     /// Bricks from crown to bead.
@@ -31,11 +33,21 @@ pub struct MeshPlan {
     pub layers: usize,
 }
 
+/// A sector between the fine one and the far side.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MiddleSector {
+    /// Wheel angle from the contact centre at which it ends, rad.
+    pub end: f64,
+    /// Bricks along its half.
+    pub bricks: usize,
+}
+
 impl MeshPlan {
     /// Cells between neighbouring nodes, in a quarter of the tire: a quadratic brick has eight.
     pub fn cells(&self) -> usize {
         let along = self.order.edge_nodes() - 1;
-        (self.fine + self.coarse) * self.meridional * self.layers * along.pow(3)
+        let middle = self.middle.map_or(0, |middle| middle.bricks);
+        (self.fine + middle + self.coarse) * self.meridional * self.layers * along.pow(3)
     }
 }
 
@@ -104,7 +116,8 @@ pub struct TireGrid {
 impl TireGrid {
     /// Lays out the grid lines.
     pub fn new(shape: TireShape, plan: &MeshPlan, extent: Extent) -> Self {
-        let half = half_circle(plan.fine_angle, plan.fine, plan.coarse);
+        let middle = plan.middle.map(|middle| (middle.end, middle.bricks));
+        let half = half_circle((plan.fine_angle, plan.fine), middle, plan.coarse);
         let theta = match extent {
             Extent::Quarter => half,
             Extent::Half | Extent::Full => both_sides(&half),
@@ -320,6 +333,7 @@ pub(crate) mod tests {
             order,
             fine_angle: 0.4,
             fine: 6,
+            middle: None,
             coarse: 6,
             meridional: 6,
             meridional_growth: 2.0,

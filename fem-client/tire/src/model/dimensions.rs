@@ -5,7 +5,10 @@ use fem_client::scene::{Level, Scene};
 use fem_client::solver::Readout;
 
 use super::glued_film::Place;
-use crate::mesh::tire_grid::{MeshPlan, TireShape};
+use crate::mesh::tire_grid::{MeshPlan, MiddleSector, TireShape};
+
+/// Size of the last brick of the middle sector over that of the fine sector's.
+const MIDDLE_GROWTH: f64 = 2.5;
 
 /// The mesh of a level. The fine sector covers the stations and at least 18 degrees; its bricks keep their size when it
 /// grows.
@@ -13,7 +16,7 @@ pub fn mesh_plan(scene: &Scene, level: Level) -> MeshPlan {
     mesh_plan_for(scene, level, &Readout::default())
 }
 
-/// The mesh of a level whose fine sector covers the films that are read, too, and as much as is asked for.
+/// The mesh of a level whose fine sector covers the films that are read, too, and whose bricks grow slowly in a sector as wide as the readout asks for.
 pub fn mesh_plan_for(scene: &Scene, level: Level, readout: &Readout) -> MeshPlan {
     const SMALLEST_SECTOR: f64 = 18.0;
     const LARGEST_SECTOR: f64 = 80.0;
@@ -26,13 +29,17 @@ pub fn mesh_plan_for(scene: &Scene, level: Level, readout: &Readout) -> MeshPlan
         .iter()
         .map(|film| Place::of(film, &shape).farthest().to_degrees());
     let sector_deg = of_films
-        .chain(readout.fine_deg)
         .fold(of_ground, f64::max)
         .clamp(SMALLEST_SECTOR, LARGEST_SECTOR);
     let plan = |order, fine: f64, coarse, meridional, meridional_growth, layers| MeshPlan {
         order,
         fine_angle: sector_deg.to_radians(),
         fine: (fine * sector_deg / SMALLEST_SECTOR).ceil() as usize,
+        middle: readout
+            .fine_deg
+            .map(|end_deg| end_deg.min(LARGEST_SECTOR))
+            .filter(|end_deg| *end_deg > sector_deg)
+            .map(|end_deg| middle(sector_deg, end_deg, SMALLEST_SECTOR / fine)),
         coarse,
         meridional,
         meridional_growth,
@@ -40,9 +47,19 @@ pub fn mesh_plan_for(scene: &Scene, level: Level, readout: &Readout) -> MeshPlan
     };
     match level {
         Level::Draft => plan(Order::Linear, 10.0, 5, 10, 3.0, 2),
-        Level::Coarse => plan(Order::Quadratic, 5.0, 3, 8, 4.0, 2),
-        Level::Standard => plan(Order::Quadratic, 8.0, 5, 12, 4.0, 3),
-        Level::Reference => plan(Order::Quadratic, 10.0, 6, 18, 5.0, 4),
+        Level::Coarse => plan(Order::Quadratic, 8.0, 4, 8, 8.0, 2),
+        Level::Standard => plan(Order::Quadratic, 10.0, 5, 12, 8.0, 3),
+        Level::Reference => plan(Order::Quadratic, 14.0, 6, 16, 8.0, 4),
+    }
+}
+
+/// The sector between two angles whose bricks grow from `size` to [`MIDDLE_GROWTH`] times that, all in degrees.
+fn middle(from: f64, to: f64, size: f64) -> MiddleSector {
+    // The mean of sizes that grow geometrically, of many bricks.
+    let mean = size * (MIDDLE_GROWTH - 1.0) / MIDDLE_GROWTH.ln();
+    MiddleSector {
+        end: to.to_radians(),
+        bricks: ((to - from) / mean).ceil() as usize,
     }
 }
 

@@ -22,6 +22,7 @@ const PLAN: MeshPlan = MeshPlan {
     order: Order::Quadratic,
     fine_angle: std::f64::consts::FRAC_PI_2,
     fine: 4,
+    middle: None,
     coarse: 4,
     meridional: 8,
     meridional_growth: 1.0,

@@ -48,7 +48,8 @@ const INFLATED_STRETCH: [f64; 2] = [1.009735, 1.021666];
 
 /// The independent solution states 0.1 %. Its contact law starts 0.004 mm above the ground, ours at the ground; with the
 /// slope of 18 N/mm at 1 mm and the law's mean shift of 0.001 mm that is another 0.02 N, 0.4 % at 0.5 mm depth.
-const REACTION_TOLERANCE: f64 = 1e-3;
+/// The standard mesh itself leaves 0.25 % (`docs/proof/meshes.md`), the most of it at 2 mm.
+const REACTION_TOLERANCE: f64 = 1e-3 + 2.5e-3;
 const CONTACT_SHIFT_N: f64 = 0.02;
 /// Tolerance stated there for the meridional strain at the centre, which still moves 2 % a mesh step.
 const Y_TOLERANCE: f64 = 0.02;

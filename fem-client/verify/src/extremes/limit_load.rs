@@ -51,6 +51,7 @@ fn even_plan(n: usize) -> MeshPlan {
         order: Order::Quadratic,
         fine_angle: std::f64::consts::FRAC_PI_2,
         fine: n,
+        middle: None,
         coarse: n,
         meridional: 2 * n,
         meridional_growth: 1.0,

@@ -106,6 +106,7 @@ const EVEN: MeshPlan = MeshPlan {
     order: Order::Quadratic,
     fine_angle: std::f64::consts::FRAC_PI_2,
     fine: 4,
+    middle: None,
     coarse: 4,
     meridional: 48,
     meridional_growth: 1.0,

@@ -7,7 +7,7 @@ use documents::layouts::layout_settings::{LayoutLoads, Layouts};
 use documents::signals::series::loads_of_transfer;
 use layouts::arrangement::FilmKind;
 
-/// Half of the sector that is meshed finely, degrees: slopes of strains 20 to 60 degrees from the contact decide how well its angle is known.
+/// Wheel angle from the contact up to which bricks grow slowly, degrees: slopes of strains 20 to 60 degrees from the contact decide how well its angle is known.
 pub const FINE_DEG: f64 = 60.0;
 /// Solves beside each load, over the load: slopes over the depth are central differences. On the foot tire half the distance changes them by 0.3 %.
 const BESIDE: [f64; 2] = [0.9, 1.1];

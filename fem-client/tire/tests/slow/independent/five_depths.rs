@@ -109,6 +109,7 @@ fn plan(mesh: &str) -> MeshPlan {
         order,
         fine_angle: 25f64.to_radians(),
         fine,
+        middle: None,
         coarse,
         meridional,
         meridional_growth,

@@ -98,6 +98,7 @@ fn figures_of(fields: &[&str]) -> Figures {
         },
         fine_angle: 22f64.to_radians(),
         fine: count(2),
+        middle: None,
         coarse: count(3),
         meridional: count(4),
         meridional_growth: 2.0,
