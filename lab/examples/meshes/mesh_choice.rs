@@ -32,7 +32,11 @@ type Bricks = (usize, usize, usize, f64, usize);
 
 /// The mesh that the others are compared with.
 const FINEST: Bricks = (18, 8, 24, 6.0, 4);
-const CANDIDATES: [Bricks; 9] = [
+/// The first three were the coarse, standard and reference levels once.
+const CANDIDATES: [Bricks; 12] = [
+    (5, 3, 8, 4.0, 2),
+    (8, 5, 12, 4.0, 3),
+    (10, 6, 18, 5.0, 4),
     (8, 4, 8, 8.0, 2),
     (10, 4, 10, 10.0, 2),
     (10, 4, 12, 8.0, 2),
