@@ -13,7 +13,7 @@ use crate::ladder::climb::LEVELS;
 use crate::ladder::fidelity::Fidelity;
 use crate::layout::solving::layout_workload::{largest_layout, layout_series, scorings, searched};
 use crate::layout::solving::study_layouts::Asked;
-use crate::points::keys;
+use crate::points::{SceneSeries, Starts, keys};
 use crate::response_table::study_table::StudyTable;
 use crate::signals::measuring::signal_series;
 use documents::study::plan::{Plan, PlanError, PlannedStudy};
@@ -115,7 +115,9 @@ pub(crate) struct Point {
 impl Workload {
     /// Lists what a study asks of a solver.
     pub fn of(planned: &PlannedStudy, solver: &dyn Solver) -> Self {
-        let keys = |scenes: &[Scene], readout: &Readout| keys(scenes, solver, readout).collect();
+        let keys = |scenes: &[Scene], starts: &Starts, readout: &Readout| {
+            keys(scenes, starts, solver, readout).collect()
+        };
         Self::with_keys(planned, solver, &keys, &|points| points)
     }
 
@@ -179,12 +181,13 @@ impl Workload {
             };
             let is_own_method = raised.method == study.method;
             let readout = study.readout();
-            let mut fresh_of = |scenes: &[Scene], readout: &Readout| -> Vec<Point> {
-                let mut points = points(scenes, readout, solver, keys);
+            let mut fresh_of = |scenes: &[Scene], starts: &Starts, readout: &Readout| {
+                let mut points = points(scenes, starts, readout, solver, keys);
                 points.retain(|point| known.insert(point.key.clone()));
                 points
             };
-            let mut fresh = |scenes: &[Scene]| fresh_of(scenes, &readout);
+            let mut fresh =
+                |scenes: &[Scene]| fresh_of(scenes, &Starts::from_first(scenes.len()), &readout);
             let sized = |points| {
                 if is_own_method {
                     of_own_method(points)
@@ -201,11 +204,11 @@ impl Workload {
                 effects = fresh(&effect_scenes(&plan, solver));
             }
             let is_first = stages.is_empty();
-            let mut further = |all: &dyn Fn() -> Vec<(Vec<Scene>, Readout)>| -> Vec<Vec<Point>> {
+            let mut further = |all: &dyn Fn() -> Vec<SceneSeries>| -> Vec<Vec<Point>> {
                 let all = if is_first { all() } else { Vec::new() };
                 let fresh = all
                     .iter()
-                    .map(|(scenes, readout)| fresh_of(scenes, readout));
+                    .map(|series| fresh_of(&series.scenes, &series.starts, &series.readout));
                 fresh.collect()
             };
             let signals = further(&|| signal_series(study, &planned.plan, solver));
@@ -265,12 +268,12 @@ impl Workload {
 }
 
 /// Gives the content keys of scenes that are read so.
-type Keys<'k> = &'k dyn Fn(&[Scene], &Readout) -> Vec<String>;
+type Keys<'k> = &'k dyn Fn(&[Scene], &Starts, &Readout) -> Vec<String>;
 
 /// Different keys for all points that they are asked for.
-fn numbers() -> impl Fn(&[Scene], &Readout) -> Vec<String> {
+fn numbers() -> impl Fn(&[Scene], &Starts, &Readout) -> Vec<String> {
     let next = Cell::new(0_usize);
-    move |scenes, _| {
+    move |scenes, _, _| {
         let first = next.get();
         next.set(first + scenes.len());
         (first..next.get()).map(|key| key.to_string()).collect()
@@ -321,12 +324,18 @@ fn effect_scenes(plan: &Plan, solver: &dyn Solver) -> Vec<Scene> {
     std::iter::once(plain).chain(richer).collect()
 }
 
-/// Points that start from the first one; none of no scenes.
-fn points(scenes: &[Scene], readout: &Readout, solver: &dyn Solver, keys: Keys<'_>) -> Vec<Point> {
+/// Points of a series; none of no scenes.
+fn points(
+    scenes: &[Scene],
+    starts: &Starts,
+    readout: &Readout,
+    solver: &dyn Solver,
+    keys: Keys<'_>,
+) -> Vec<Point> {
     let Some(cut) = scenes.first() else {
         return Vec::new();
     };
-    let keys = keys(scenes, readout);
+    let keys = keys(scenes, starts, readout);
     let (tire_of_cut, symmetric) = (tire(cut), cut.ground.is_symmetric());
     let mut classes = HashSet::new();
     let how = |ordinal: usize, scene: &Scene, classes: &mut HashSet<Vec<u64>>| {

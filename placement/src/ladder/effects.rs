@@ -12,7 +12,7 @@ use crate::points::Place;
 use crate::points::RunContext;
 use crate::points::RunError;
 use crate::points::archive::Outcome;
-use crate::points::{PointSeries, outcomes_of};
+use crate::points::{PointSeries, Starts, outcomes_of};
 use crate::score::quantity::at_locations;
 use documents::study::Study;
 use documents::study::plan::Plan;
@@ -56,6 +56,7 @@ pub(crate) fn measure(
     };
     let series = PointSeries {
         scenes: &scenes,
+        starts: Starts::from_first(scenes.len()),
         values: &values,
         readout: &study.readout(),
     };

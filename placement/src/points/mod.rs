@@ -1,31 +1,26 @@
 //! Solves the points that the archive lacks, on threads of their own.
 //!
 //! - [`archive`]: where solved points are kept; [`memory`] keeps them for as long as the program runs
-//! - `series_group`: series of points that are solved at once; `planned_points` solves one of them, `attempt` a point, `point_readouts` says what is read off, `point_watch` tells how far a solve is
-//! - `finite`: refuses what isn't a number
+//! - `series`: series of points, what each starts from, and how all are solved
 //! - `run_context`: what a run is done with; `run_event`, `run_error`: what is told meanwhile, and why nothing came of it
 //! - [`worker_threads`]: work on as many threads as a user asks for; [`usage`]: time and memory of this process; [`machine_memory`]: how much there is
 
 pub mod archive;
-mod attempt;
-mod finite;
 pub mod machine_memory;
 pub mod memory;
-mod planned_points;
-mod point_readouts;
-mod point_watch;
 mod run_context;
 mod run_error;
 mod run_event;
-mod series_group;
+mod series;
 pub mod usage;
 pub mod worker_threads;
 
-pub(crate) use self::planned_points::{Answers, Place, keys};
 pub use self::run_context::RunContext;
 pub use self::run_error::RunError;
 pub use self::run_event::{Event, Observer};
-pub(crate) use self::series_group::{PointSeries, answers_of_all};
+pub(crate) use self::series::{
+    Answers, Place, PointSeries, SceneSeries, Starts, answers_of_all, keys,
+};
 use crate::points::archive::Outcome;
 
 /// Loads or solves the points of one series.

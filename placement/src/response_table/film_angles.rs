@@ -16,6 +16,7 @@ use crate::layout::solving::measuring_layouts::outcomes;
 use crate::points::Place;
 use crate::points::RunContext;
 use crate::points::RunError;
+use crate::points::SceneSeries;
 use crate::points::archive::Outcome;
 use crate::response_table::angle_residual::AngleResidual;
 use crate::response_table::solved_table::ResponseTable;
@@ -68,7 +69,7 @@ impl<'s> FilmAngles<'s> {
     }
 
     /// All scenes with what is read of them, those of a series on one mesh.
-    pub fn series(&self) -> Vec<(Vec<Scene>, Readout)> {
+    pub fn series(&self) -> Vec<SceneSeries> {
         let of_kind = |(number, kind)| {
             let around = solved_deg(kind).into_iter();
             let around = around.map(|angle| self.around(kind, angle));
@@ -77,8 +78,8 @@ impl<'s> FilmAngles<'s> {
         };
         let kinds = self.kinds.iter().enumerate();
         let films = kinds.flat_map(of_kind);
-        let films = films.map(|scenes| (scenes, Readout::default()));
-        std::iter::once((self.bare(), readout(self.kinds)))
+        let films = films.map(|scenes| SceneSeries::from_first(scenes, Readout::default()));
+        std::iter::once(SceneSeries::from_first(self.bare(), readout(self.kinds)))
             .chain(films)
             .collect()
     }

@@ -1,12 +1,12 @@
 //! A study's table of responses: the films of its layouts, up to the largest load of its rig.
 
-use fem_client::scene::{Film, Scene};
-use fem_client::solver::Readout;
+use fem_client::scene::Film;
 
 use crate::layout::solving::study_layouts::Asked;
 use crate::points::Place;
 use crate::points::RunContext;
 use crate::points::RunError;
+use crate::points::SceneSeries;
 use crate::response_table::bare_film::bare_in_volts;
 use crate::response_table::film_angles::FilmAngles;
 use crate::response_table::laid_films::LaidFilms;
@@ -94,26 +94,26 @@ impl StudyTable {
     }
 
     /// All that is solved for a study's rig, and what is read of it; nothing without a table.
-    pub(crate) fn series_of(study: &Study, plan: &Plan) -> Vec<(Vec<Scene>, Readout)> {
+    pub(crate) fn series_of(study: &Study, plan: &Plan) -> Vec<SceneSeries> {
         let table = study.rig.as_ref().map(|rig| Self::of(study, rig, plan));
         let series = table.and_then(Result::ok);
         series.iter().flat_map(Self::series).collect()
     }
 
     /// All that is solved, and what is read of it.
-    pub(crate) fn series(&self) -> Vec<(Vec<Scene>, Readout)> {
+    pub(crate) fn series(&self) -> Vec<SceneSeries> {
         let others = self.others.iter().map(|(_, scenes)| scenes);
         let tires = std::iter::once(&self.scenes).chain(others);
         tires.flat_map(|scenes| self.series_on(scenes)).collect()
     }
 
-    fn series_on(&self, scenes: &TableScenes) -> Vec<(Vec<Scene>, Readout)> {
-        let mut series = table_series(scenes, &self.kinds).to_vec();
+    fn series_on(&self, scenes: &TableScenes) -> Vec<SceneSeries> {
+        let mut series = Vec::from(table_series(scenes, &self.kinds));
         let glued = self.glued_films(scenes);
         if let Some(films) = glued.filter(|_| check_transferable(&self.film).is_ok()) {
             series.extend(films.series());
         }
-        series.retain(|(scenes, _)| !scenes.is_empty());
+        series.retain(|series| !series.scenes.is_empty());
         series
     }
 
@@ -133,12 +133,12 @@ impl StudyTable {
     /// Counts the solves of the table itself, those that test it included.
     pub(crate) fn own_solves(&self) -> usize {
         let own = self.series_on(&self.scenes);
-        own.iter().map(|(scenes, _)| scenes.len()).sum()
+        own.iter().map(|series| series.scenes.len()).sum()
     }
 
     /// Counts the solves of that and of the other tires' tables.
     pub fn solves(&self) -> usize {
-        self.series().iter().map(|(scenes, _)| scenes.len()).sum()
+        self.series().iter().map(|series| series.scenes.len()).sum()
     }
 
     /// Loads and shifts.

@@ -1,13 +1,14 @@
 //! Solves a table's pressings as points of a study: stored, shared and resumed as all others.
 
 use fem_client::scene::Scene;
-use fem_client::solver::{Readout, Response};
+use fem_client::solver::Response;
 
 use crate::layout::solving::measuring_layouts::outcomes;
 use crate::layout::solving::mirror_parts::mirrored;
 use crate::points::Place;
 use crate::points::RunContext;
 use crate::points::RunError;
+use crate::points::SceneSeries;
 use crate::points::archive::Outcome;
 use crate::response_table::drag_basis::DRAGS;
 use crate::response_table::solved_table::ResponseTable;
@@ -31,10 +32,10 @@ pub struct TestedTable {
 pub(crate) type Solved = Vec<(Pressing, Outcome)>;
 
 /// All that is solved for a table: two series, each of which starts from its first equilibrium, and what is read of them.
-pub(crate) fn table_series(scenes: &TableScenes, kinds: &[FilmKind]) -> [(Vec<Scene>, Readout); 2] {
+pub(crate) fn table_series(scenes: &TableScenes, kinds: &[FilmKind]) -> [SceneSeries; 2] {
     series(scenes).map(|pressings| {
         let scenes = pressings.iter().map(|pressing| scenes.scene(pressing));
-        (scenes.collect(), mirrored(kinds))
+        SceneSeries::from_first(scenes.collect(), mirrored(kinds))
     })
 }
 

@@ -9,7 +9,7 @@ use results::{StudyCost, StudyResult};
 use crate::points::archive::Outcome;
 use crate::points::usage::Stopwatch;
 use crate::points::{
-    Answers, Event, Place, PointSeries, RunContext, RunError, answers_of, answers_of_all,
+    Answers, Event, Place, PointSeries, RunContext, RunError, Starts, answers_of, answers_of_all,
 };
 use crate::score::analyst::Stopped;
 use crate::score::assemble::assemble;
@@ -123,6 +123,7 @@ pub(crate) fn run_from(
 fn series_of<'p>(plan: &'p Plan, readout: &'p Readout) -> PointSeries<'p> {
     PointSeries {
         scenes: &plan.points,
+        starts: Starts::from_first(plan.points.len()),
         values: plan.values(),
         readout,
     }

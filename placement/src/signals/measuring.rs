@@ -6,7 +6,7 @@ use fem_client::solver::{Readout, Solver};
 use crate::points::Place;
 use crate::points::RunContext;
 use crate::points::RunError;
-use crate::points::{PointSeries, outcomes_of};
+use crate::points::{PointSeries, SceneSeries, Starts, outcomes_of};
 use crate::signals::amplifier_notes::amplifier_notes;
 use crate::signals::answers::{Answer, MeshAnswers};
 use crate::signals::signal_claims::claims;
@@ -36,7 +36,11 @@ pub(crate) fn measure(
     let solves = signal_series(study, plan, context.solver);
     let mut place = Place {
         first,
-        of: first + solves.iter().map(|(scenes, _)| scenes.len()).sum::<usize>(),
+        of: first
+            + solves
+                .iter()
+                .map(|series| series.scenes.len())
+                .sum::<usize>(),
     };
     let mut signals = Signals::default();
     let values = &plan.values()[0];
@@ -89,11 +93,7 @@ fn tires<'s>(
 }
 
 /// All that is solved for a study's signals: the scenes of each series, and what is read of them.
-pub(crate) fn signal_series(
-    study: &Study,
-    plan: &Plan,
-    solver: &dyn Solver,
-) -> Vec<(Vec<Scene>, Readout)> {
+pub(crate) fn signal_series(study: &Study, plan: &Plan, solver: &dyn Solver) -> Vec<SceneSeries> {
     let Some(settings) = &study.signals else {
         return Vec::new();
     };
@@ -105,7 +105,7 @@ pub(crate) fn signal_series(
             let series = settings.series(&tire).into_iter();
             all.extend(series.map(|series| {
                 let scenes = settings.scenes(&tire, &series);
-                (scenes, settings.readout(&series))
+                SceneSeries::from_first(scenes, settings.readout(&series))
             }));
         }
     }
@@ -170,6 +170,7 @@ pub(crate) fn answers_from_first(
         ordered.swap(0, begin);
         let series = PointSeries {
             scenes: &ordered,
+            starts: Starts::from_first(ordered.len()),
             values: &values,
             readout,
         };

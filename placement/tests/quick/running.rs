@@ -1,15 +1,19 @@
 //! Runs of whole studies: the same bits on any number of threads and after any interruption.
 
+use std::collections::HashSet;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Condvar, Mutex};
 use std::time::Duration;
 
 use documents::layouts::gluing_limits::GluingLimits;
-use documents::layouts::layout_settings::{Layouts, SearchSettings};
+use documents::layouts::layout_settings::{LayoutLoads, Layouts, SearchSettings};
+use documents::study::Study;
 use documents::study::plan::Plan;
 use fem_client::closed_form::ClosedFormSolver;
 use fem_client::scene::{Level, Scene};
-use fem_client::solver::{Coarser, Position, SolveError, SolveRequest, Solved, Solver};
+use fem_client::solver::{
+    Coarser, NoEquilibrium, Position, Reached, SolveError, SolveRequest, Solved, Solver,
+};
 use placement::ladder::climb::answer;
 use placement::points::Event;
 use placement::points::RunContext;
@@ -350,6 +354,97 @@ fn every_other_point_starts_from_the_cut_point() {
         starts[1..]
             .iter()
             .all(|start| start.as_deref() == Some(&[1.0; 5]))
+    );
+}
+
+/// A study whose layouts are pressed to 0.5, 1 and 2 mm.
+fn pressed_thrice() -> Study {
+    let mut study = shipped("foot-tire");
+    study.layouts = Layouts {
+        units: vec![6],
+        loads: LayoutLoads::Depths(vec![0.5, 1.0, 2.0]),
+        positions: vec![Position::Crown],
+        ..Layouts::none()
+    };
+    study
+}
+
+/// Depths of layouts' solves, with those that they started from.
+type Begun = Mutex<Vec<(f64, Option<f64>)>>;
+
+/// Notes what layouts' solves start from; there is no equilibrium at 2 mm, unless it is said to be `reached`.
+fn noting(
+    begun: &Begun,
+    reached: bool,
+) -> Twisted<impl Fn(&SolveRequest<'_>) -> Option<SolveError> + Send + Sync> {
+    Twisted::new(move |request: &SolveRequest<'_>| {
+        if request.readout.rings.is_empty() {
+            return None;
+        }
+        let depth = request.scene.ground.depths_mm[0];
+        let start = request.start.map(|start| start.depths_mm[0]);
+        begun.lock().unwrap().push((depth, start));
+        (depth == 2.0 && !reached).then(|| SolveError::NoEquilibrium {
+            status: NoEquilibrium::SolverFailed,
+            detail: "as asked".to_owned(),
+            reached: Reached::default(),
+        })
+    })
+}
+
+#[test]
+fn loads_of_layouts_start_from_the_nearest_load_that_has_an_equilibrium() {
+    let study = pressed_thrice();
+    for reached in [true, false] {
+        let begun = Begun::default();
+        let result = observed(
+            &study,
+            &noting(&begun, reached),
+            &MemoryArchive::default(),
+            3,
+        )
+        .0;
+        result.unwrap();
+        let mut begun = begun.into_inner().unwrap();
+        begun.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let far = if reached { 2.0 } else { 1.0 };
+        let starts = |depth: f64| match depth {
+            1.0 => None,
+            d if d < 0.6 && d != 0.5 => Some(0.5),
+            d if d > 1.5 && d != 2.0 => Some(far),
+            _ => Some(1.0),
+        };
+        assert_eq!(begun.len(), 11);
+        assert!(
+            begun.iter().all(|(depth, start)| *start == starts(*depth)),
+            "{begun:?}"
+        );
+    }
+}
+
+#[test]
+fn loads_that_are_stored_are_started_from_again() {
+    let study = pressed_thrice();
+    let archive = MemoryArchive::default();
+    let whole = observed(&study, &noting(&Begun::default(), true), &archive, 2).0;
+    // What others start from is kept, and every other point of layouts lost.
+    let starts: HashSet<String> = archive.starts.lock().unwrap().keys().cloned().collect();
+    assert_eq!(starts.len(), 1 + 3, "the cut point, and three loads");
+    archive
+        .points
+        .lock()
+        .unwrap()
+        .retain(|key, _| starts.contains(key));
+    let begun = Begun::default();
+    let solver = noting(&begun, true);
+    let again = observed(&study, &solver, &archive, 2).0;
+    assert_eq!(text(&again.unwrap()), text(&whole.unwrap()));
+    assert_eq!(solver.solves.load(Ordering::Relaxed), POINTS - 1 + 8);
+    let begun = begun.lock().unwrap();
+    assert!(
+        begun
+            .iter()
+            .all(|(depth, start)| start.is_some() && *depth != 2.0)
     );
 }
 

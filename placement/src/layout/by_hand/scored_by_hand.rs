@@ -114,7 +114,7 @@ impl StoredStudy {
         let stored = StoredSolves::new(Default::default(), self.coarser);
         let series = layout_series(study, plan, &stored).into_iter();
         series
-            .flat_map(|(scenes, _)| scenes)
+            .flat_map(|series| series.scenes)
             .map(|scene| scene.canonical_json())
             .collect()
     }

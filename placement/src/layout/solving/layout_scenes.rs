@@ -3,6 +3,7 @@
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::{Readout, RingLine};
 
+use crate::points::Starts;
 use documents::layouts::layout_settings::{LayoutLoads, Layouts};
 use documents::signals::series::loads_of_transfer;
 use layouts::arrangement::FilmKind;
@@ -34,8 +35,10 @@ pub struct LayoutScenes {
     tire: Scene,
     /// Loads at which layouts are scored, in the order of the document.
     pub loads: Vec<Pressed>,
-    /// Loads that are solved: the one in the middle of those asked for, from whose equilibrium all others start, then these, the farthest first.
+    /// Loads that are solved: the one in the middle of those asked for, then these outwards from there, then those beside them.
     pub solved: Vec<Pressed>,
+    /// Starts among these: a load asked for from its neighbour towards the middle, the others from the nearest load asked for.
+    starts: Starts,
 }
 
 impl Pressed {
@@ -79,34 +82,38 @@ impl LayoutScenes {
         let mut sorted = loads.clone();
         sorted.sort_by(|a, b| a.value().total_cmp(&b.value()));
         let (least, largest) = (sorted[0], sorted[sorted.len() - 1]);
-        // The middle one of the loads first: its crown sets the noise.
-        let middle = sorted[sorted.len() / 2];
-        let mut others: Vec<Pressed> = sorted
-            .iter()
-            .copied()
-            .filter(|load| *load != middle)
-            .collect();
+        let (mut solved, mut starts) = outwards(&sorted);
         let beside = sorted
             .iter()
             .flat_map(|load| BESIDE.map(|factor| load.times(factor)));
         let ends = [least.times(BEYOND[0]), largest.times(BEYOND[1])];
-        for further in beside.chain(ends).collect::<Vec<_>>() {
-            let is_near = |other: &Pressed| {
-                (other.value() - further.value()).abs() < TOO_NEAR * further.value()
-            };
-            let mut known = std::iter::once(&middle).chain(&others);
-            if !known.any(is_near) && pressed(&tire, further).is_some() {
-                others.push(further);
+        let mut further: Vec<(usize, Pressed)> = Vec::new();
+        for load in beside.chain(ends) {
+            let is_near =
+                |other: &Pressed| (other.value() - load.value()).abs() < TOO_NEAR * load.value();
+            let mut known = solved.iter().chain(further.iter().map(|(_, load)| load));
+            if !known.any(is_near) && pressed(&tire, load).is_some() {
+                further.push((nearest(&solved, load), load));
             }
         }
-        // The farther from the start, the longer a solve takes: begun last it would leave all threads but its own without work.
-        let apart = |load: &Pressed| (load.value() - middle.value()).abs();
-        others.sort_by(|a, b| apart(b).total_cmp(&apart(a)));
+        // Those with one start after each other: they share its tangent. The farther from it, the longer a solve takes: begun last it would leave all threads but its own
+        // without work.
+        let apart =
+            |(start, load): &(usize, Pressed)| (load.value() - solved[*start].value()).abs();
+        further.sort_by(|a, b| a.0.cmp(&b.0).then(apart(b).total_cmp(&apart(a))));
+        starts.extend(further.iter().map(|(start, _)| *start));
+        solved.extend(further.into_iter().map(|(_, load)| load));
         Ok(Self {
             tire,
             loads,
-            solved: [vec![middle], others].concat(),
+            solved,
+            starts: Starts::of_each(starts),
         })
+    }
+
+    /// Starts of the solved loads.
+    pub(crate) fn starts(&self) -> &Starts {
+        &self.starts
     }
 
     /// The scenes of what is solved, on a level.
@@ -173,6 +180,33 @@ fn pressed(tire: &Scene, load: Pressed) -> Option<Scene> {
     Scene::from_json(&scene.canonical_json()).ok()
 }
 
+/// The middle one of increasing loads, whose crown sets the noise, then the others outwards from it, the larger first; and which of these each starts from.
+fn outwards(sorted: &[Pressed]) -> (Vec<Pressed>, Vec<usize>) {
+    let middle = sorted.len() / 2;
+    let (below, above) = (&sorted[..middle], &sorted[middle + 1..]);
+    let (mut solved, mut starts) = (vec![sorted[middle]], vec![0]);
+    let mut last = [0; 2];
+    for step in 0..below.len().max(above.len()) {
+        let larger = above.get(step);
+        let smaller = below.len().checked_sub(step + 1).map(|load| &below[load]);
+        for (load, last) in [larger, smaller].into_iter().zip(&mut last) {
+            if let Some(load) = load {
+                starts.push(*last);
+                *last = solved.len();
+                solved.push(*load);
+            }
+        }
+    }
+    (solved, starts)
+}
+
+/// Returns which load is nearest to another one.
+fn nearest(loads: &[Pressed], to: Pressed) -> usize {
+    let apart = |load: &Pressed| (load.value() - to.value()).abs();
+    let by_distance = |a: &usize, b: &usize| apart(&loads[*a]).total_cmp(&apart(&loads[*b]));
+    (0..loads.len()).min_by(by_distance).unwrap_or_default()
+}
+
 fn loads(settings: &Layouts, means: &Scene) -> Result<Vec<Pressed>, String> {
     Ok(match &settings.loads {
         LayoutLoads::Depths(depths) => depths.iter().map(|depth| Pressed::Depth(*depth)).collect(),
@@ -229,9 +263,17 @@ mod tests {
             ..Layouts::default()
         };
         let scenes = LayoutScenes::of(&settings, &Scene::default()).expect("loads");
-        assert_eq!(scenes.solved[0], Pressed::Depth(1.0));
+        let from: Vec<(f64, f64)> = (0..11)
+            .map(|point| {
+                let start = scenes.starts.of(point).unwrap_or(point);
+                (scenes.solved[point].value(), scenes.solved[start].value())
+            })
+            .collect();
+        assert_eq!(from[..3], [(1.0, 1.0), (2.0, 1.0), (0.5, 1.0)]);
+        assert_eq!(from[3..5], [(1.1, 1.0), (0.9, 1.0)]);
+        assert_eq!(from[5..8], [(2.5, 2.0), (2.2, 2.0), (1.8, 2.0)]);
+        assert!(from[8..].iter().all(|(_, start)| *start == 0.5));
         assert_eq!(scenes.solved.len(), 11);
-        assert_eq!(scenes.solved[1], Pressed::Depth(2.5));
         let depths: Vec<f64> = scenes
             .scenes(Level::Draft)
             .iter()

@@ -1,6 +1,6 @@
 //! Workload of a study's layouts: the scenes of each mesh, and how often a layout is scored.
 
-use fem_client::scene::{Level, Scene};
+use fem_client::scene::Level;
 use fem_client::solver::{Coarser, Readout, Solver};
 
 use crate::layout::solving::glued_films::GluedFilms;
@@ -8,6 +8,7 @@ use crate::layout::solving::judged_layouts::FULL_TO_SHORT;
 use crate::layout::solving::layout_scenes::{LayoutScenes, readout};
 use crate::layout::solving::mirror_parts::mirrored;
 use crate::layout::solving::study_layouts::Asked;
+use crate::points::SceneSeries;
 use crate::signals::answers::check_transferable;
 use documents::study::Study;
 use documents::study::plan::Plan;
@@ -25,11 +26,7 @@ pub(crate) fn levels(study: &Study, plan: &Plan, solver: &dyn Solver) -> (Level,
 }
 
 /// All that is solved for a study's layouts: the scenes of each mesh, and what is read of them.
-pub(crate) fn layout_series(
-    study: &Study,
-    plan: &Plan,
-    solver: &dyn Solver,
-) -> Vec<(Vec<Scene>, Readout)> {
+pub(crate) fn layout_series(study: &Study, plan: &Plan, solver: &dyn Solver) -> Vec<SceneSeries> {
     if !study.layouts.is_asked() {
         return Vec::new();
     }
@@ -44,13 +41,21 @@ pub(crate) fn layout_series(
     let glued = glued.filter(|film| check_transferable(film).is_ok());
     let mut series = Vec::new();
     for level in levels {
-        series.push((scenes.scenes(level), readout(kinds)));
+        series.push(SceneSeries {
+            scenes: scenes.scenes(level),
+            starts: scenes.starts().clone(),
+            readout: readout(kinds),
+        });
         if let Some(film) = glued {
             let films = GluedFilms::of_layouts(film, &scenes, kinds, level);
-            series.extend(films.series().map(|scenes| (scenes, Readout::default())));
+            let from_first = |scenes| SceneSeries::from_first(scenes, Readout::default());
+            series.extend(films.series().map(from_first));
         }
         if study.layouts.shear {
-            series.push((scenes.sheared(level), mirrored(kinds)));
+            series.push(SceneSeries::from_first(
+                scenes.sheared(level),
+                mirrored(kinds),
+            ));
         }
     }
     series

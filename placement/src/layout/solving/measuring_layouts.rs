@@ -15,7 +15,7 @@ use crate::points::Place;
 use crate::points::RunContext;
 use crate::points::RunError;
 use crate::points::archive::Outcome;
-use crate::points::{Answers, PointSeries, answers_of_all};
+use crate::points::{Answers, PointSeries, Starts, answers_of_all};
 use crate::score::map_slopes::MapSlopes;
 use documents::study::Study;
 use documents::study::plan::Plan;
@@ -90,7 +90,8 @@ pub(crate) fn both_meshes<'s>(
     let meshes: Vec<Level> = std::iter::once(level)
         .chain(coarser.map(|coarser| coarser.level))
         .collect();
-    let loads: Vec<Vec<Scene>> = meshes.iter().map(|level| scenes.scenes(*level)).collect();
+    let on_mesh = |level: &Level| (scenes.scenes(*level), scenes.starts().clone());
+    let loads: Vec<(Vec<Scene>, Starts)> = meshes.iter().map(on_mesh).collect();
     let (readout, means) = (readout(asked.kinds.all()), &plan.values()[0]);
     let pressed = outcomes_of_all(&loads, &readout, means, &mut place, context)?;
     let mut answers = Vec::new();
@@ -120,7 +121,7 @@ pub(crate) fn both_meshes<'s>(
 /// Counts the points that are solved for layouts.
 fn count(study: &Study, plan: &Plan, solver: &dyn Solver) -> usize {
     let series = layout_series(study, plan, solver).into_iter();
-    series.map(|(scenes, _)| scenes.len()).sum()
+    series.map(|series| series.scenes.len()).sum()
 }
 
 /// Answer of one mesh.
@@ -173,8 +174,8 @@ fn drag(
     place: &mut Place,
     context: RunContext<'_>,
 ) -> Result<(), RunError> {
-    let sheared = |answer: &MeshAnswer| scenes.sheared(answer.level);
-    let sheared: Vec<Vec<Scene>> = answers.iter().flatten().map(sheared).collect();
+    let sheared = |answer: &MeshAnswer| from_first(scenes.sheared(answer.level));
+    let sheared: Vec<(Vec<Scene>, Starts)> = answers.iter().flatten().map(sheared).collect();
     let readout = mirrored(asked.kinds.all());
     let dragged = outcomes_of_all(&sheared, &readout, means, place, context)?;
     for (answer, dragged) in answers.iter_mut().flatten().zip(dragged) {
@@ -191,28 +192,41 @@ pub(crate) fn outcomes(
     place: &mut Place,
     context: RunContext<'_>,
 ) -> Result<Result<Vec<Outcome>, String>, RunError> {
-    let mut found = outcomes_of_all(&[scenes.to_vec()], readout, means, place, context)?;
+    let mut found = outcomes_of_all(
+        &[from_first(scenes.to_vec())],
+        readout,
+        means,
+        place,
+        context,
+    )?;
     Ok(found.remove(0))
 }
 
-/// Solves several series of scenes at once, of which each starts from its own first one; of the first alone, where nothing came of it.
+/// Scenes with their starts, of which all others start from the first one.
+fn from_first(scenes: Vec<Scene>) -> (Vec<Scene>, Starts) {
+    let starts = Starts::from_first(scenes.len());
+    (scenes, starts)
+}
+
+/// Solves several series of scenes with their starts at once; of the first alone, where nothing came of it.
 fn outcomes_of_all(
-    all: &[Vec<Scene>],
+    all: &[(Vec<Scene>, Starts)],
     readout: &Readout,
     means: &[f64],
     place: &mut Place,
     context: RunContext<'_>,
 ) -> Result<Vec<Result<Vec<Outcome>, String>>, RunError> {
-    let values = |scenes: &Vec<Scene>| vec![means.to_vec(); scenes.len()];
+    let values = |(scenes, _): &(Vec<Scene>, Starts)| vec![means.to_vec(); scenes.len()];
     let values: Vec<Vec<Vec<f64>>> = all.iter().map(values).collect();
     let series = all.iter().zip(&values);
-    let series = series.map(|(scenes, values)| PointSeries {
+    let series = series.map(|((scenes, starts), values)| PointSeries {
         scenes,
+        starts: starts.clone(),
         values,
         readout,
     });
     let answers = answers_of_all(&series.collect::<Vec<_>>(), *place, context)?;
-    place.first += all.iter().map(Vec::len).sum::<usize>();
+    place.first += values.iter().map(Vec::len).sum::<usize>();
     let outcomes = |answers: Result<Answers, RunError>| match answers {
         Ok(answers) => Ok(Ok(answers.outcomes())),
         Err(error @ (RunError::PointsFailed { .. } | RunError::Refused { .. })) => {

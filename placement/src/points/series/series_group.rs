@@ -1,6 +1,6 @@
 //! Series of points that are solved at once, on the same threads.
 //!
-//! A series begins with one solve that the others start from, and with a tangent that they share: a core alone has work then, and another series has some for
+//! A series begins with one solve that others start from, and with a tangent that they share: a core alone has work then, and another series has some for
 //! the next. What is solved of a series doesn't depend on that.
 
 use std::sync::atomic::Ordering;
@@ -10,20 +10,44 @@ use fem_client::solver::Readout;
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
 
 use super::planned_points::{Answers, Place, Points, Shared, keys};
-use super::run_context::RunContext;
-use super::run_error::RunError;
-use super::run_event::Event;
-use super::worker_threads::on_threads;
+use super::starts::Starts;
+use crate::points::run_context::RunContext;
+use crate::points::run_error::RunError;
+use crate::points::run_event::Event;
+use crate::points::worker_threads::on_threads;
 
-/// Scenes of which all start from the first one's equilibrium.
-#[derive(Clone, Copy)]
+/// Scenes of which the first starts from nothing, each other one from a point before it.
+#[derive(Clone)]
 pub(crate) struct PointSeries<'s> {
     /// The scene of each point.
     pub scenes: &'s [Scene],
+    /// Point that each starts from.
+    pub starts: Starts,
     /// Input values of each.
     pub values: &'s [Vec<f64>],
     /// Places at which strains are read of each.
     pub readout: &'s Readout,
+}
+
+/// Scenes of a series, for those who only count them or ask for their keys.
+pub(crate) struct SceneSeries {
+    /// The scene of each point.
+    pub scenes: Vec<Scene>,
+    /// Point that each starts from.
+    pub starts: Starts,
+    /// Places at which strains are read of each.
+    pub readout: Readout,
+}
+
+impl SceneSeries {
+    /// Scenes that start from the first one.
+    pub(crate) fn from_first(scenes: Vec<Scene>, readout: Readout) -> Self {
+        Self {
+            starts: Starts::from_first(scenes.len()),
+            scenes,
+            readout,
+        }
+    }
 }
 
 /// Loads or solves all points of some series, whose ordinals follow each other. The first series decides: where it has no answers, the others begin no point more, and
@@ -82,14 +106,16 @@ fn points<'r>(
         scenes,
         values,
         readout,
+        ..
     } = *series;
     let unless_stopped = |key| match context.stop.load(Ordering::Relaxed) {
         true => Err(RunError::Stopped),
         false => Ok(key),
     };
-    let keys = keys(scenes, context.solver, readout).map(unless_stopped);
+    let keys = keys(scenes, &series.starts, context.solver, readout).map(unless_stopped);
     Ok(Points {
         scenes,
+        starts: series.starts.clone(),
         values,
         readout,
         solver: context.solver,

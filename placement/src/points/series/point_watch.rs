@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use fem_client::solver::{SolveProgress, Watch};
 
-use super::run_event::{Event, Observer};
+use crate::points::run_event::{Event, Observer};
 
 /// A solve is told of when it has taken so long, and as often, ms: what ends before is told when it has.
 const EVERY_MS: u64 = 200;

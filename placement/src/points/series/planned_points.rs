@@ -1,11 +1,12 @@
 //! Solves the points of a plan that the archive lacks, on threads of their own.
 //!
-//! The cut point is solved first, from scratch. All others start from the cut point's equilibrium and from no other:
-//! a start from whichever neighbour happens to be ready would make the answer depend on the order of the work. So a
+//! The cut point is solved first, from scratch. Each other one starts from the equilibrium of the point that the series names, of a study's own points from the cut
+//! point's: a start from whichever neighbour happens to be ready would make the answer depend on the order of the work. So a
 //! point's answer is the same to the bit on any number of threads and after any interruption.
 
+use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use fem_client::scene::Scene;
 use fem_client::solver::{Readout, SolveError, SolveRequest, Solver, StartState};
@@ -14,16 +15,19 @@ use rayon::iter::{ParallelBridge, ParallelIterator};
 use super::attempt::{Costed, Found, Process, ask, quarantined};
 use super::point_readouts::PointReadouts;
 use super::point_watch::PointWatch;
-use super::run_error::{RunError, refusals};
-use super::run_event::{Event, Observer};
+use super::starts::Starts;
 use crate::points::archive::{Archive, ArchiveError, Outcome, PointRecord};
+use crate::points::run_error::{RunError, refusals};
+use crate::points::run_event::{Event, Observer};
 use documents::study::sha256_hex;
 use results::{Cause, FailedPoint};
 
 /// A series of points, with what they share.
 pub(crate) struct Points<'r> {
-    /// The scene of each; the first is the one from whose equilibrium the others start.
+    /// The scene of each.
     pub scenes: &'r [Scene],
+    /// Point that each starts from.
+    pub starts: Starts,
     /// Input values of each.
     pub values: &'r [Vec<f64>],
     pub readout: &'r Readout,
@@ -99,10 +103,17 @@ impl Answers {
     }
 }
 
+/// States that points start from, by the ordinals of those they belong to.
+type States = BTreeMap<usize, Arc<StartState>>;
+
+/// A solved point, with its state where others start from it.
+type WithState = (Costed, Option<StartState>);
+
 /// Content keys: SHA-256 over all that determines an outcome to the bit, which is the solver's version, the scene, the
-/// readout and the start. The cut point starts from scratch, the others from the cut point, which its key stands for.
+/// readout and the start. The cut point starts from scratch, each other one from a point for which its key stands.
 pub(crate) fn keys<'k>(
     scenes: &'k [Scene],
+    starts: &'k Starts,
     solver: &dyn Solver,
     readout: &'k Readout,
 ) -> impl Iterator<Item = String> + 'k {
@@ -115,10 +126,14 @@ pub(crate) fn keys<'k>(
         });
         sha256_hex(&content.to_string())
     };
-    let cut = key(0, "scratch");
-    (0..scenes.len()).map(move |ordinal| match ordinal {
-        0 => cut.clone(),
-        _ => key(ordinal, &cut),
+    let mut left = BTreeMap::new();
+    (0..scenes.len()).map(move |ordinal| {
+        let start = starts.of(ordinal).and_then(|start| left.get(&start));
+        let own = key(ordinal, start.map_or("scratch", String::as_str));
+        if starts.is_left(ordinal) {
+            left.insert(ordinal, own.clone());
+        }
+        own
     })
 }
 
@@ -166,13 +181,21 @@ impl Points<'_> {
                 Some(0) => Process::Apart,
                 _ => Process::Own,
             };
-            let start = self.cut_point(&mut found[0], of_cut)?;
-            // Those that may end the program come last, and each alone: only one process more takes memory.
-            for (ordinals, process) in [(clean, Process::Own), (suspect, Process::Apart)] {
-                let rest: Vec<usize> = ordinals.into_iter().filter(|i| *i != 0).collect();
-                for (ordinal, answer) in self.others(&rest, &start, process)? {
-                    found[ordinal] = Some(answer);
+            let cut = self.cut_point(&mut found[0], of_cut)?;
+            let mut states = States::from([(0, Arc::new(cut))]);
+            for generation in self.starts.generations() {
+                // Those that may end the program come last, and each alone: only one process more takes memory.
+                for (ordinals, process) in [(&clean, Process::Own), (&suspect, Process::Apart)] {
+                    let due = generation
+                        .iter()
+                        .filter(|i| ordinals.binary_search(i).is_ok());
+                    let due: Vec<usize> = due.copied().collect();
+                    for (ordinal, (answer, state)) in self.others(&due, &states, process)? {
+                        found[ordinal] = Some(answer);
+                        states.extend(state.map(|state| (ordinal, Arc::new(state))));
+                    }
                 }
+                self.load_states(&generation, &found, &mut states)?;
             }
         }
         let points: Vec<_> = found.into_iter().flatten().collect();
@@ -240,9 +263,39 @@ impl Points<'_> {
         if let Some((Err(unsolved), _)) = found {
             return Err(self.without_cut((&*unsolved).into()));
         }
-        let key = &self.keys[0];
+        self.stored_state(0)
+    }
+
+    /// State of a point that the archive has.
+    fn stored_state(&self, ordinal: usize) -> Result<StartState, RunError> {
+        let key = &self.keys[ordinal];
         let start = self.archive.load_start(key)?;
         start.ok_or_else(|| RunError::StartMissing { key: key.clone() })
+    }
+
+    /// Loads the states of those points of a generation that others start from which weren't solved now. What would start from a point without an equilibrium starts where that did.
+    fn load_states(
+        &self,
+        generation: &[usize],
+        found: &[Option<Costed>],
+        states: &mut States,
+    ) -> Result<(), RunError> {
+        for &ordinal in generation {
+            if !self.starts.is_left(ordinal) || states.contains_key(&ordinal) {
+                continue;
+            }
+            let state = match &found[ordinal] {
+                Some((Ok(_), _)) => Arc::new(self.stored_state(ordinal)?),
+                _ => self.start_of(ordinal, states),
+            };
+            states.insert(ordinal, state);
+        }
+        Ok(())
+    }
+
+    /// The state that a point starts from, whose start is of a generation before.
+    fn start_of(&self, ordinal: usize, states: &States) -> Arc<StartState> {
+        states[&self.starts.of(ordinal).unwrap_or_default()].clone()
     }
 
     /// Returns the error of a run without the cut point: there is nothing for the others to start from.
@@ -264,19 +317,19 @@ impl Points<'_> {
         }
     }
 
-    /// Solves the points with these ordinals, all from the same start.
+    /// Solves the points with these ordinals, whose starts are all there.
     fn others(
         &self,
         ordinals: &[usize],
-        start: &StartState,
+        states: &States,
         process: Process,
-    ) -> Result<Vec<Numbered<Costed>>, RunError> {
+    ) -> Result<Vec<Numbered<WithState>>, RunError> {
         let over = AtomicBool::new(false);
         let unless_over = |&ordinal: &usize| {
             if over.load(Ordering::Relaxed) || self.shared.has_ended() {
                 return None;
             }
-            let outcome = self.point(ordinal, start, process);
+            let outcome = self.point(ordinal, &self.start_of(ordinal, states), process);
             // Asked after a point, so that a run that is paused again and again still comes to its end.
             let paused = self
                 .pause
@@ -306,16 +359,25 @@ impl Points<'_> {
     }
 
     /// Solves, saves and reports one point, in this order: what is reported survives.
-    fn point(&self, ordinal: usize, start: &StartState, process: Process) -> Result<Costed, Lack> {
+    fn point(
+        &self,
+        ordinal: usize,
+        start: &StartState,
+        process: Process,
+    ) -> Result<WithState, Lack> {
         match self.solved(ordinal, Some(start), process) {
             Ok(Found {
-                answer, lasting, ..
+                answer,
+                state,
+                lasting,
             }) => {
+                let state = state.filter(|_| self.starts.is_left(ordinal));
                 if lasting {
-                    self.save(ordinal, &answer, None).map_err(Lack::Archive)?;
+                    let saved = self.save(ordinal, &answer, state.as_ref());
+                    saved.map_err(Lack::Archive)?;
                 }
                 self.report(ordinal, &answer);
-                Ok(answer)
+                Ok((answer, state))
             }
             Err(lack) => {
                 if let Lack::Refused(error) = &lack {
@@ -329,8 +391,8 @@ impl Points<'_> {
     /// An archive's failure comes before a stop, a stop before refused points.
     fn sorted_out(
         &self,
-        outcomes: Vec<Numbered<Result<Costed, Lack>>>,
-    ) -> Result<Vec<Numbered<Costed>>, RunError> {
+        outcomes: Vec<Numbered<Result<WithState, Lack>>>,
+    ) -> Result<Vec<Numbered<WithState>>, RunError> {
         let (mut answers, mut failed) = (Vec::new(), Vec::new());
         let (mut stopped, mut archive) = (false, None);
         for (ordinal, outcome) in outcomes {
