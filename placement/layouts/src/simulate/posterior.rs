@@ -5,7 +5,7 @@
 //! that may hold some of the mass are then cut into thirds, ninths or more, until a part is no wider than two standard deviations of the likelihood there: sums
 //! of a bell over such steps are off by 1.4 %, and shift its mean by a twentieth of its deviation, at most.
 
-use ndarray::{Array2, ArrayView1};
+use ndarray::{Array1, Array2};
 
 use crate::arrangement::Arrangement;
 use crate::simulate::posterior_grid::{Block, PosteriorGrid};
@@ -23,7 +23,9 @@ pub struct Estimator<'l> {
     products: TurnedProducts<'l>,
     grid: PosteriorGrid,
     /// Parts of ln p at the cells' middles without readings.
-    constants: Vec<f64>,
+    constants: Array1<f64>,
+    /// Shortfalls of the cells' middles below their best points, at most.
+    slacks: Vec<f64>,
     /// Weights of each film's reading in ln p at the cells' middles: films by cells.
     of_readings: Array2<f64>,
     /// Weights of each film's squared reading; none where the noise is the same everywhere.
@@ -72,6 +74,7 @@ impl<'l> Estimator<'l> {
             of_readings: weights(&products, &middles, |at| &at.linear, (0, 1.0)),
             of_squares: likelihood.parts.quadratic.is_some().then(of_squares),
             directions: directions.collect(),
+            slacks: grid.slacks(),
             products,
             grid,
         }
@@ -84,36 +87,24 @@ impl<'l> Estimator<'l> {
         if let Some(of_squares) = &self.of_squares {
             logs += &squares.dot(of_squares);
         }
+        logs += &self.constants;
         let rows = logs
             .rows()
             .into_iter()
             .zip(readings.rows())
             .zip(squares.rows());
         rows.map(|((logs, readings), squares)| {
-            let [readings, squares] = [readings, squares].map(|row| row.to_vec());
-            self.estimate(logs, &readings, &squares)
+            let [logs, readings, squares] = [logs, readings, squares].map(|row| row.to_vec());
+            self.estimate(&logs, &readings, &squares)
         })
         .collect()
     }
 
-    /// The posterior's means after these readings, whose part of ln p at the cells' middles is known.
-    fn estimate(
-        &self,
-        of_readings: ArrayView1<'_, f64>,
-        readings: &[f64],
-        squares: &[f64],
-    ) -> Estimated {
-        let with_constants = of_readings.iter().zip(&self.constants);
-        let logs: Vec<f64> = with_constants
-            .map(|(log, constant)| log + constant)
-            .collect();
-        let largest = logs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let highest = logs.iter().zip(self.grid.slacks());
-        let may_hold = highest.map(|(log, slack)| log + slack >= largest - NEGLIGIBLE);
-        let cells = may_hold.enumerate().filter(|(_, holds)| *holds);
-        let mut cells: Vec<(f64, usize)> = cells.map(|(cell, _)| (logs[cell], cell)).collect();
-        // The best first: what is found there leaves less to look for elsewhere.
-        cells.sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+    /// The posterior's means after these readings, for which ln p at the cells' middles is known.
+    fn estimate(&self, logs: &[f64], readings: &[f64], squares: &[f64]) -> Estimated {
+        let largest = largest(logs);
+        let best = logs.iter().position(|log| *log == largest);
+        let best = best.unwrap_or_default();
         let mut found = Found {
             readings,
             squares,
@@ -122,37 +113,43 @@ impl<'l> Estimator<'l> {
             products: Vec::new(),
             points: Vec::new(),
         };
-        for (log, cell) in cells {
-            self.refine(&self.grid.block(cell, log), &mut found);
+        // The best first: what is found there leaves less to look for elsewhere.
+        self.refine(&self.grid.block(best, largest), &mut found);
+        for (cell, (log, slack)) in logs.iter().zip(&self.slacks).enumerate() {
+            if log + slack >= found.largest - NEGLIGIBLE && cell != best {
+                self.refine(&self.grid.block(cell, *log), &mut found);
+            }
         }
         self.mean(&found.points)
     }
 
-    /// Cuts a block that may hold some of the mass into thirds along each side that asks for it, and so on; a part that asks for no more is a point. All pieces are looked at
+    /// Cuts a block that may hold some of the mass into thirds along each side that asks for it, and so on; a piece that asks for no more is a point. All pieces are looked at
     /// before any is cut: the best of them leaves less to look for in the others.
     fn refine(&self, block: &Block, found: &mut Found<'_>) {
-        if block.highest() < found.largest - NEGLIGIBLE {
-            return;
-        }
         let middle = block.middle();
-        if block.parts == [1, 1] {
-            found.points.push((block.log - block.log_parts, middle));
-            return;
-        }
         let [across, along] = block.cuts();
         let mut logs = [[block.log; 3]; 3];
         for (i, logs) in logs.iter_mut().enumerate().take(across) {
             for (j, log) in logs.iter_mut().enumerate().take(along) {
-                let at = block.piece([i, j], 0.0).middle();
+                let at = block.middle_of_piece([i, j]);
                 if at != middle {
                     *log = self.log(at, found);
                     found.largest = found.largest.max(*log);
                 }
             }
         }
+        let (slack, are_points) = (block.slack_of_pieces(), block.is_cut_into_points());
         for (i, logs) in logs.iter().enumerate().take(across) {
             for (j, log) in logs.iter().enumerate().take(along) {
-                self.refine(&block.piece([i, j], *log), found);
+                if log + slack < found.largest - NEGLIGIBLE {
+                    continue;
+                }
+                if are_points {
+                    let at = block.middle_of_piece([i, j]);
+                    found.points.push((log - block.log_parts, at));
+                } else {
+                    self.refine(&block.piece([i, j], *log), found);
+                }
             }
         }
     }
@@ -162,14 +159,17 @@ impl<'l> Estimator<'l> {
         let first = match found.firsts[angle] {
             NONE => {
                 let first = found.products.len();
-                let after = self.products.after(angle, found.readings, found.squares);
-                found.products.extend(after);
+                let Found {
+                    readings, squares, ..
+                } = *found;
+                self.products
+                    .add_after(angle, readings, squares, &mut found.products);
                 found.firsts[angle] = first;
                 first
             }
             first => first,
         };
-        let products = &found.products[first..first + self.products.rank()];
+        let products = &found.products[first..first + self.products.row_len()];
         self.products.log(products, depth)
     }
 
@@ -194,6 +194,23 @@ impl<'l> Estimator<'l> {
     }
 }
 
+/// The largest of some values, by eight comparisons side by side.
+fn largest(values: &[f64]) -> f64 {
+    let mut lanes = [f64::NEG_INFINITY; 8];
+    let chunks = values.chunks_exact(lanes.len());
+    let rest = chunks.remainder();
+    for values in chunks {
+        for (lane, value) in lanes.iter_mut().zip(values) {
+            *lane = if value > lane { *value } else { *lane };
+        }
+    }
+    lanes
+        .iter()
+        .chain(rest)
+        .copied()
+        .fold(f64::NEG_INFINITY, f64::max)
+}
+
 /// Films by cells: the products' functions at the films times their factors at the cells' middles, which begin at a number, times a factor of all.
 fn weights(
     products: &TurnedProducts<'_>,
@@ -204,7 +221,7 @@ fn weights(
     let films = products.films();
     let mut weights = Array2::zeros((films, middles.len()));
     for (cell, &[angle, depth]) in middles.iter().enumerate() {
-        let coefficients = &products.likelihood.coefficients[depth][first..];
+        let coefficients = &products.likelihood.coefficients.at(depth)[first..];
         let of_products = functions(products.at(angle)).chunks_exact(films);
         for (of_films, coefficient) in of_products.zip(coefficients) {
             for (film, function) in of_films.iter().enumerate() {

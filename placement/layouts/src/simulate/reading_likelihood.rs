@@ -3,6 +3,7 @@
 use crate::field::film_field::{DepthFields, KindField, LoadField, Noise};
 use crate::field::separated::Separated;
 use crate::simulate::posterior_grid::{DEPTH_CELLS, MOST_PARTS, middles};
+use crate::simulate::turned_products::LANES;
 
 /// Share of the largest field that separation may leave out: of a signal 100 times the noise it changes ln p by some hundredths.
 const TOLERANCE: f64 = 3e-6;
@@ -13,9 +14,32 @@ pub struct Likelihood {
     noise: Noise,
     /// Middles of the finest parts of the depth cells, mm.
     pub(super) depths_mm: Vec<f64>,
-    /// Factors of the products by part of a depth, those of readings first, then those of squared readings.
-    pub(super) coefficients: Vec<Vec<f64>>,
+    /// Factors of the products.
+    pub(super) coefficients: Coefficients,
     pub(super) parts: Parts,
+}
+
+/// Factors of the products by part of a depth, those of readings first, then those of squared readings. Each row ends with zeros, up to a multiple of [`LANES`].
+pub(super) struct Coefficients {
+    rank: usize,
+    values: Vec<f64>,
+}
+
+impl Coefficients {
+    /// Length of a row.
+    pub fn row_len(&self) -> usize {
+        self.rank.next_multiple_of(LANES)
+    }
+
+    /// The row of a part of a depth, with its zeros.
+    pub fn row(&self, depth: usize) -> &[f64] {
+        &self.values[depth * self.row_len()..][..self.row_len()]
+    }
+
+    /// The factors at a part of a depth.
+    pub fn at(&self, depth: usize) -> &[f64] {
+        &self.row(depth)[..self.rank]
+    }
 }
 
 /// The three parts of ln p as separated fields; that of squared readings is left out where the noise is the same everywhere.
@@ -81,18 +105,24 @@ fn separate(fields: &DepthFields, depths_mm: &[f64], noise: &Noise) -> Parts {
 }
 
 /// The factors of all products by depth.
-fn joined(parts: &Parts) -> Vec<Vec<f64>> {
+fn joined(parts: &Parts) -> Coefficients {
+    let of = |field: &Separated| field.rank();
+    let rank = of(&parts.linear) + parts.quadratic.as_ref().map_or(0, of) + of(&parts.constant);
     let all = |depth: usize| {
         let quadratic = parts
             .quadratic
             .iter()
-            .flat_map(|field| &field.coefficients[depth]);
+            .flat_map(move |field| &field.coefficients[depth]);
         let linear = parts.linear.coefficients[depth].iter();
-        linear
+        let factors = linear
             .chain(quadratic)
-            .chain(&parts.constant.coefficients[depth])
-            .copied()
-            .collect()
+            .chain(&parts.constant.coefficients[depth]);
+        let zeros = rank.next_multiple_of(LANES) - rank;
+        factors.copied().chain(std::iter::repeat_n(0.0, zeros))
     };
-    (0..parts.linear.coefficients.len()).map(all).collect()
+    let depths = 0..parts.linear.coefficients.len();
+    Coefficients {
+        rank,
+        values: depths.flat_map(all).collect(),
+    }
 }

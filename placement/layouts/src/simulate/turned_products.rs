@@ -6,6 +6,9 @@ use crate::arrangement::Arrangement;
 use crate::field::separated::Separated;
 use crate::simulate::reading_likelihood::Likelihood;
 
+/// Sums of products that are made side by side.
+pub(super) const LANES: usize = 4;
+
 /// Products' functions at an angle.
 pub(super) struct Functions {
     /// Functions with readings at each film, product after product.
@@ -59,40 +62,38 @@ impl<'l> TurnedProducts<'l> {
         })
     }
 
-    /// Number of the products that are summed.
-    pub fn rank(&self) -> usize {
-        self.likelihood.coefficients[0].len()
+    /// Number of the products that are summed, with the zeros behind them.
+    pub fn row_len(&self) -> usize {
+        self.likelihood.coefficients.row_len()
     }
 
-    /// The products' functions at a part of a turn, after these readings and their squares.
-    pub fn after<'a>(
-        &'a self,
-        angle: usize,
-        readings: &'a [f64],
-        squares: &'a [f64],
-    ) -> impl Iterator<Item = f64> + 'a {
+    /// Adds the products' functions at a part of a turn, after these readings and their squares, to a list, and the zeros behind them.
+    pub fn add_after(&self, angle: usize, readings: &[f64], squares: &[f64], list: &mut Vec<f64>) {
         let Functions {
             linear,
             quadratic,
             constant,
         } = self.at(angle);
-        let linear = linear.chunks_exact(self.films());
-        let quadratic = quadratic.chunks_exact(self.films());
-        let of_readings = linear.map(move |films| dot(films, readings));
-        let of_squares = quadratic.map(move |films| -0.5 * dot(films, squares));
-        let constant = constant.iter().map(|sum| -0.5 * sum);
-        of_readings.chain(of_squares).chain(constant)
+        let end = list.len() + self.row_len();
+        for films in linear.chunks_exact(self.films()) {
+            list.push(dot(films, readings));
+        }
+        for films in quadratic.chunks_exact(self.films()) {
+            list.push(-0.5 * dot(films, squares));
+        }
+        list.extend(constant.iter().map(|sum| -0.5 * sum));
+        list.resize(end, 0.0);
     }
 
     /// The sum of products, at a part of a depth.
     pub fn log(&self, products: &[f64], depth: usize) -> f64 {
-        dot(&self.likelihood.coefficients[depth], products)
+        in_lanes(self.likelihood.coefficients.row(depth), products)
     }
 
     /// The part of ln p without readings, at parts of a turn and of a depth.
     pub fn constant(&self, [angle, depth]: [usize; 2]) -> f64 {
         let sums = &self.at(angle).constant;
-        let coefficients = &self.likelihood.coefficients[depth];
+        let coefficients = self.likelihood.coefficients.at(depth);
         -0.5 * dot(&coefficients[coefficients.len() - sums.len()..], sums)
     }
 }
@@ -106,16 +107,19 @@ fn at_films(field: &Separated, arrangement: &Arrangement, angle_deg: f64) -> Vec
     (0..field.rank()).flat_map(product).collect()
 }
 
-/// Four sums side by side: one alone would wait for each addition.
 fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let mut sums = [0.0; 4];
-    let (fours_a, fours_b) = (a.chunks_exact(4), b.chunks_exact(4));
-    let rest = fours_a.remainder().iter().zip(fours_b.remainder());
-    let rest: f64 = rest.map(|(a, b)| a * b).sum();
-    for (a, b) in fours_a.zip(fours_b) {
-        for k in 0..4 {
+    let (whole, rest) = a.split_at(a.len() - a.len() % LANES);
+    let rest = rest.iter().zip(&b[whole.len()..]);
+    in_lanes(whole, b) + rest.map(|(a, b)| a * b).sum::<f64>()
+}
+
+/// Sums side by side: one alone would wait for each addition. Of rows that are a multiple of [`LANES`] long.
+fn in_lanes(a: &[f64], b: &[f64]) -> f64 {
+    let mut sums = [0.0; LANES];
+    for (a, b) in a.chunks_exact(LANES).zip(b.chunks_exact(LANES)) {
+        for k in 0..LANES {
             sums[k] += a[k] * b[k];
         }
     }
-    (sums[0] + sums[1]) + (sums[2] + sums[3]) + rest
+    (sums[0] + sums[1]) + (sums[2] + sums[3])
 }
