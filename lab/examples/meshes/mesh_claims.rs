@@ -3,9 +3,11 @@
 //!
 //! `cargo run --release -p lab --example mesh_claims [TIRE...]`, half an hour on two cores for all tires.
 
+mod eight_tires;
+mod held_claims;
+
 use std::sync::atomic::AtomicBool;
 
-use document::Format;
 use documents::study::Study;
 use documents::study::plan::Plan;
 use fem_client::scene::{Level, Scene};
@@ -15,11 +17,13 @@ use placement::points::RunError;
 use placement::points::memory::MemoryArchive;
 use placement::run::run;
 use results::{MapLayer, StudyResult};
-use serde_json::{Value, json};
 use tire::embedded::EmbeddedSolver;
 use tire::mesh::tire_grid::MeshPlan;
 use tire::mesh_error::coarser;
 use tire::model::mesh_plan;
+
+use eight_tires::{finer, study, tires};
+use held_claims::{SHARE, held, over};
 
 /// Solves every scene on one mesh, whatever level it asks for.
 struct OnMesh {
@@ -37,56 +41,10 @@ impl Solver for OnMesh {
     }
 }
 
-fn finest(scene: &Scene) -> MeshPlan {
-    MeshPlan {
-        fine: 18,
-        coarse: 7,
-        meridional: 22,
-        ..mesh_plan(scene, Level::Reference)
-    }
-}
-
-/// Depths that vary.
-const INPUTS: usize = 5;
 /// Levels with a coarser one that shows their error.
 const LEVELS: [Level; 3] = [Level::Coarse, Level::Standard, Level::Reference];
-/// Share of the indices whose claims are to hold.
-const SHARE: f64 = 0.97;
 
 const WHERE: [&str; 2] = ["P1 to P5", "map"];
-
-/// The eight tires, with the mean of the depths, mm.
-fn tires() -> Vec<(&'static str, Value, f64)> {
-    let shipped = |change: &str, value: Value| {
-        let mut scene = json!({"preset": "foot-tire"});
-        scene[change] = value;
-        scene
-    };
-    let wall = |wall_mm: f64| shipped("geometry", json!({"wall_mm": wall_mm}));
-    let ogden = json!({"model": "ogden", "terms": [{"mu_mpa": 0.36, "alpha": 2.0}, {"mu_mpa": 0.02, "alpha": -2.0}]});
-    vec![
-        ("shipped", json!({"preset": "foot-tire"}), 1.0),
-        (
-            "5 mm wall without cords",
-            json!({"preset": "foot-tire-soft"}),
-            1.5,
-        ),
-        ("1.5 mm wall", wall(1.5), 1.0),
-        ("5 mm wall", wall(5.0), 1.0),
-        (
-            "100 mm radius",
-            shipped("geometry", json!({"outer_radius_mm": 100.0})),
-            1.0,
-        ),
-        (
-            "0.05 MPa",
-            shipped("pressure", json!({"internal_mpa": 0.05})),
-            1.0,
-        ),
-        ("Ogden's law", shipped("material", ogden), 1.0),
-        ("pressed 2 mm", json!({"preset": "foot-tire"}), 2.0),
-    ]
-}
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let asked: Vec<String> = std::env::args().skip(1).collect();
@@ -102,7 +60,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             continue;
         }
         let study = study(scene, depth)?;
-        let truth = Indices::of(&answered(&study, finest)?);
+        let truth = Indices::of(&answered(&study, |scene| {
+            finer(mesh_plan(scene, Level::Reference))
+        })?);
         let mut before = on_level(&study, Level::Draft)?;
         for (level, all) in LEVELS.into_iter().zip(&mut of_levels) {
             let own = on_level(&study, level)?;
@@ -141,19 +101,6 @@ fn on_level(study: &Study, level: Level) -> Result<Indices, RunError> {
         Level::Reference => |scene: &Scene| mesh_plan(scene, Level::Reference),
     };
     Ok(Indices::of(&answered(study, plan)?))
-}
-
-/// Five depths that vary by 0.3 mm about a mean.
-fn study(scene: Value, depth: f64) -> Result<Study, String> {
-    let law = json!({"kind": "uniform", "min": depth - 0.3, "max": depth + 0.3});
-    let input = |k: usize| json!({"name": format!("P{}", k + 1), "vary": format!("ground.depths_mm[{k}]"), "distribution": law});
-    let document = json!({
-        "name": "mesh", "scene": scene, "inputs": (0..INPUTS).map(input).collect::<Vec<_>>(), "layouts": {"spacings_deg": []},
-        "method": {"kind": "mdrm", "nodes": 5}, "candidates": {"points": "P1-P5", "grid": {"circumferential": 31, "meridional": 11}},
-    });
-    let read = |path: &str| Err(format!("{path}: not needed"));
-    Study::from_document(&document.to_string(), Format::Json, &read)
-        .map_err(|faults| format!("{faults:?}"))
 }
 
 fn answered(study: &Study, plan: fn(&Scene) -> MeshPlan) -> Result<StudyResult, RunError> {
@@ -242,20 +189,6 @@ impl Judged {
         self.by_index.extend(other.by_index);
         self.by_place.extend(other.by_place);
     }
-
-    fn held(&self, claims: &[f64]) -> f64 {
-        let pairs = self.errors.iter().zip(claims);
-        100.0 * pairs.filter(|(error, claim)| error <= claim).count() as f64
-            / self.errors.len() as f64
-    }
-
-    /// The quantile of true errors over claims.
-    fn over(&self, claims: &[f64], share: f64) -> f64 {
-        let pairs = self.errors.iter().zip(claims);
-        let mut ratios: Vec<f64> = pairs.map(|(error, claim)| error / claim).collect();
-        ratios.sort_by(f64::total_cmp);
-        ratios[(share * (ratios.len() - 1) as f64).ceil() as usize]
-    }
 }
 
 impl std::fmt::Display for Judged {
@@ -270,9 +203,9 @@ impl std::fmt::Display for Judged {
             write!(
                 f,
                 " | {:.1} % | {:.1} | {:.2}",
-                self.held(claims),
-                1.0 / self.over(claims, 0.5),
-                self.over(claims, SHARE)
+                held(&self.errors, claims),
+                1.0 / over(&self.errors, claims, 0.5),
+                over(&self.errors, claims, SHARE)
             )?;
         }
         Ok(())

@@ -1,0 +1,18 @@
+//! Claims beside true errors: how many hold, and by how much.
+
+/// Share of the claims that are to hold.
+pub const SHARE: f64 = 0.97;
+
+/// Returns how many claims are at least the error, percent.
+pub fn held(errors: &[f64], claims: &[f64]) -> f64 {
+    let pairs = errors.iter().zip(claims);
+    100.0 * pairs.filter(|(error, claim)| error <= claim).count() as f64 / errors.len() as f64
+}
+
+/// Returns the quantile of true errors over claims.
+pub fn over(errors: &[f64], claims: &[f64], share: f64) -> f64 {
+    let pairs = errors.iter().zip(claims);
+    let mut ratios: Vec<f64> = pairs.map(|(error, claim)| error / claim).collect();
+    ratios.sort_by(f64::total_cmp);
+    ratios[(share * (ratios.len() - 1) as f64).ceil() as usize]
+}
