@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use fem_client::scene::Level;
+use fem_client::scene::{Level, Scene};
 use fem_client::solver::Solver;
 
 use super::estimated_cost::estimate;
@@ -13,7 +13,7 @@ use documents::study::plan::{Estimable, PlanError, PlannedStudy};
 use documents::study::{Accuracy, Study};
 use results::Surer;
 
-/// A mesh's claimed error falls as the size of its cells to this power (`tire::mesh_error`), their number to a third of it.
+/// A mesh's error falls as the size of its cells to this power (`tire::mesh_error`), their number to a third of it.
 const ORDER: f64 = 2.0;
 
 /// A study on the next level.
@@ -21,7 +21,9 @@ const ORDER: f64 = 2.0;
 pub struct NextLevel {
     /// Study that asks for that level.
     pub study: Study,
-    /// Share of the claimed error of the mesh that it leaves; `None` after the draft, which claims none.
+    /// Level of the answer.
+    answered: Level,
+    /// Share of the claimed error of the mesh that it leaves; `None` where that level claims none, as the draft does.
     leaves: Option<f64>,
     /// Work over that of the study with nothing solved before.
     times: Option<f64>,
@@ -50,12 +52,15 @@ impl NextLevel {
                 ..Fidelity { level, ..fidelity }.raise(study)
             }
         });
-        let [before, after] = [&own, &raised].map(|study| solver.cells(&study.scene) as f64);
+        let claims = [&own, &raised].map(|study| claimed(&study.scene, solver));
         let (took, takes) = (work_s(&own, solver)?, work_s(&raised, solver)?);
         let layout_levels = [answered, next].map(|level| study.layouts.level_on(level));
         Ok(Some(Self {
             study: raised,
-            leaves: (answered > Level::Draft).then(|| (before / after).powf(ORDER / 3.0)),
+            answered,
+            leaves: claims[0]
+                .zip(claims[1])
+                .map(|(before, after)| after / before),
             times: took.zip(takes).map(|(took, takes)| takes / took),
             keeps_layouts: study.layouts.is_asked() && layout_levels[0] == layout_levels[1],
         }))
@@ -69,9 +74,10 @@ impl NextLevel {
                 "would leave some {:.0} % of the mesh's claimed error in the indices",
                 100.0 * share
             ),
-            None => {
+            None if self.answered == Level::Draft => {
                 "would say how far the figures are off, which the draft doesn't know".to_owned()
             }
+            None => "is finer, and how much less it is off isn't known".to_owned(),
         };
         let layouts = match self.keeps_layouts {
             true => ", and the layouts as they are",
@@ -93,6 +99,16 @@ impl NextLevel {
             expected_s,
         }
     }
+}
+
+/// Returns what a level claims of an index's error by its mesh, in units that all levels of a scene share: the difference from the coarser one, where
+/// errors go by [`ORDER`], times its factor. `None` of a level that claims nothing.
+fn claimed(scene: &Scene, solver: &dyn Solver) -> Option<f64> {
+    let coarser = solver.coarser(scene)?;
+    let mut below = scene.clone();
+    below.model.level = coarser.level;
+    let [own, below] = [scene, &below].map(|scene| (solver.cells(scene) as f64).powf(-ORDER / 3.0));
+    Some(coarser.of_largest * (below - own))
 }
 
 /// Returns the time of a study by the law of solve times with nothing solved before, s of one core; `None` of solvers without a law.
@@ -153,7 +169,12 @@ mod tests {
         );
         // Measured: 37.8 s after 21.2 s.
         assert!(times > 1.2 && times < 6.0, "{times}");
-        assert!(share > 0.1 && share < 0.9, "{share}");
+        // 4320 cells for 10 240, with one factor: the square of the cube root.
+        assert!((share - 0.5625).abs() < 1e-3, "{share}");
+        // 1536 cells for 4320; after the coarse level, whose witness is of other bricks, Roache's factor is 1.25 for 3.
+        let coarse = next(Level::Coarse).expect("standard").leaves;
+        let share = coarse.expect("claimed");
+        assert!((share - 0.50189 * 1.25 / 3.0).abs() < 1e-3, "{share}");
         assert!(
             surer.sentence.contains("and the layouts as they are")
                 && surer.sentence.ends_with("about 12 minutes here."),
@@ -169,6 +190,13 @@ mod tests {
         let next = NextLevel::of(&shipped(), Level::Coarse, &solver).expect("is planned");
         let surer = next.expect("standard").surer(None);
         assert_eq!((surer.times, surer.expected_s), (None, None));
+        assert!(
+            surer
+                .sentence
+                .contains("is finer, and how much less it is off isn't known"),
+            "{}",
+            surer.sentence
+        );
         assert!(surer.sentence.ends_with("how long that takes isn't known."));
     }
 }

@@ -1,5 +1,6 @@
 //! Scored layouts in their order, and those that no other beats.
 
+use fem_client::solver::Coarser;
 use gsa::judge::certainty::{Estimate, places_certain};
 
 use crate::ranking::kendall::tau;
@@ -18,24 +19,43 @@ const DOUBTFUL: f64 = 0.2;
 /// Scores nearer than this are equal, relative: mirror images differ by rounding, and by what a simulation of other contacts makes of it.
 const EQUAL: f64 = 1e-9;
 
-/// A layout's scores at all loads: those of its mesh, with the errors that a coarser one shows times its factor.
+/// A figure of a layout at a load.
+type Figure = fn(&LayoutScore) -> Option<f64>;
+/// Figures whose differences between two meshes are judged together.
+const BOUNDS: [Figure; 3] = [
+    |score| score.worst_angle_error_deg,
+    |score| score.rms_angle_error_deg,
+    |score| score.worst_depth_error_mm,
+];
+const SIMULATED: [Figure; 3] = [
+    |score| score.simulated_rms_angle_error_deg,
+    |score| score.simulated_p95_angle_error_deg,
+    |score| score.force_error_n,
+];
+
+/// A layout's scores at all loads: those of its mesh, with the errors that a coarser one shows.
 pub fn with_scores(
     mut label: RankedLayout,
     loads: &[LayoutLoad],
     fine: Vec<LayoutScore>,
-    coarse: Option<(&[LayoutScore], f64)>,
+    coarse: Option<(&[LayoutScore], Coarser)>,
 ) -> RankedLayout {
+    let claims = coarse.map(|(coarse, coarser)| {
+        let of = |figures: &[Figure]| coarser.of_largest * largest_change(&fine, coarse, figures);
+        [of(&BOUNDS), of(&SIMULATED)]
+    });
     let scored = loads.iter().filter(|load| load.reason.is_none());
     label.loads = scored
         .zip(fine)
         .enumerate()
         .map(|(k, (load, mut score))| {
-            score.error = coarse.map(|(coarse, factor)| error(&score, &coarse[k], factor));
-            if let (Some(shear), Some((coarse, factor))) = (&mut score.shear, coarse) {
+            let both = coarse.zip(claims);
+            score.error = both.map(|((coarse, _), claims)| error(&score, &coarse[k], claims));
+            if let (Some(shear), Some((coarse, coarser))) = (&mut score.shear, coarse) {
                 shear.error = coarse[k]
                     .shear
                     .as_ref()
-                    .map(|coarse| shear_error(shear, coarse, factor));
+                    .map(|coarse| shear_error(shear, coarse, coarser.factor));
             }
             LoadScore {
                 depth_mm: load.depth_mm,
@@ -57,25 +77,43 @@ fn p95(score: &LayoutScore) -> f64 {
     score.simulated_p95_angle_error_deg.unwrap_or(f64::INFINITY)
 }
 
-fn error(fine: &LayoutScore, coarse: &LayoutScore, factor: f64) -> LayoutError {
-    let of_mesh =
-        |of: fn(&LayoutScore) -> Option<f64>| Some(factor * (of(fine)? - of(coarse)?).abs());
-    let simulated = |of: fn(&LayoutScore) -> Option<f64>, se: Option<f64>| {
-        Some(of_mesh(of)?.hypot(DEVIATIONS * se?))
+/// The largest change of some figures from one mesh to another, at any load, over the larger value: a single one may agree on two meshes by chance.
+fn largest_change(fine: &[LayoutScore], coarse: &[LayoutScore], figures: &[Figure]) -> f64 {
+    let change = |(fine, coarse): (&LayoutScore, &LayoutScore)| {
+        let of_figure = |of: &Figure| {
+            let (fine, coarse) = (of(fine)?, of(coarse)?);
+            let larger = fine.max(coarse);
+            Some((fine - coarse).abs() / larger).filter(|_| larger > 0.0)
+        };
+        figures.iter().filter_map(of_figure).fold(0.0, f64::max)
     };
+    fine.iter().zip(coarse).map(change).fold(0.0, f64::max)
+}
+
+/// Errors of figures that both meshes have, by what is claimed of bounds and of simulated figures, relative.
+fn error(
+    fine: &LayoutScore,
+    coarse: &LayoutScore,
+    [of_bounds, of_simulated]: [f64; 2],
+) -> LayoutError {
+    let of_mesh = |of: Figure, claim: f64| of(coarse).and_then(|_| Some(claim * of(fine)?));
+    let bounds = BOUNDS.map(|of| of_mesh(of, of_bounds));
+    let standard_errors = [
+        fine.simulated_rms_angle_error_deg_se,
+        fine.simulated_p95_angle_error_deg_se,
+        fine.force_error_n_se,
+    ];
+    let simulated: [Option<f64>; 3] = std::array::from_fn(|k| {
+        let of_mesh = of_mesh(SIMULATED[k], of_simulated)?;
+        Some(of_mesh.hypot(DEVIATIONS * standard_errors[k]?))
+    });
     LayoutError {
-        worst_angle_error_deg: of_mesh(|score| score.worst_angle_error_deg),
-        rms_angle_error_deg: of_mesh(|score| score.rms_angle_error_deg),
-        worst_depth_error_mm: of_mesh(|score| score.worst_depth_error_mm),
-        simulated_rms_angle_error_deg: simulated(
-            |score| score.simulated_rms_angle_error_deg,
-            fine.simulated_rms_angle_error_deg_se,
-        ),
-        simulated_p95_angle_error_deg: simulated(
-            |score| score.simulated_p95_angle_error_deg,
-            fine.simulated_p95_angle_error_deg_se,
-        ),
-        force_error_n: simulated(|score| score.force_error_n, fine.force_error_n_se),
+        worst_angle_error_deg: bounds[0],
+        rms_angle_error_deg: bounds[1],
+        worst_depth_error_mm: bounds[2],
+        simulated_rms_angle_error_deg: simulated[0],
+        simulated_p95_angle_error_deg: simulated[1],
+        force_error_n: simulated[2],
     }
 }
 
@@ -236,6 +274,8 @@ pub fn tau_of_bound(layouts: &[RankedLayout]) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
+    use fem_client::scene::Level;
+
     use super::*;
 
     fn layout(film_count: usize, p95: f64, error: f64) -> RankedLayout {
@@ -319,11 +359,16 @@ mod tests {
         };
         let fine = vec![of(5.0, 0.1), of(9.0, 0.3)];
         let coarse = vec![of(5.5, 0.1), of(10.0, 0.3)];
+        let coarser = Coarser {
+            level: Level::Coarse,
+            factor: 3.0,
+            of_largest: 2.0,
+        };
         let found = with_scores(
             RankedLayout::default(),
             &[load(2.0), load(1.0)],
             fine,
-            Some((&coarse, 2.0)),
+            Some((&coarse, coarser)),
         );
         assert_eq!(found.score.simulated_p95_angle_error_deg, Some(9.0));
         let error = found
@@ -331,10 +376,16 @@ mod tests {
             .error
             .and_then(|error| error.simulated_p95_angle_error_deg)
             .expect("an error");
-        assert!((error - 2f64.hypot(0.6)).abs() < 1e-12);
+        // A tenth at the worst load, where the other one changed by an eleventh.
+        assert!((error - (2.0 * 0.1 * 9.0f64).hypot(0.6)).abs() < 1e-12);
+        let at_other = found.loads[0].score.error.as_ref();
+        let error = at_other
+            .and_then(|error| error.simulated_p95_angle_error_deg)
+            .expect("an error");
+        assert!((error - (2.0 * 0.1 * 5.0f64).hypot(0.2)).abs() < 1e-12);
         assert_eq!(
             found.doubt.as_deref(),
-            Some("may be off: the simulated 95th percentile by 23 %")
+            Some("may be off: the simulated 95th percentile by 21 %")
         );
     }
 }

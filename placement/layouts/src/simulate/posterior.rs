@@ -8,6 +8,7 @@
 use ndarray::{Array1, Array2};
 
 use crate::arrangement::Arrangement;
+use crate::simulate::lanes::largest;
 use crate::simulate::posterior_grid::{Block, PosteriorGrid};
 use crate::simulate::reading_likelihood::Likelihood;
 use crate::simulate::turned_products::{Functions, TurnedProducts};
@@ -192,23 +193,6 @@ impl<'l> Estimator<'l> {
             depth_mm: depths / mass,
         }
     }
-}
-
-/// The largest of some values, by eight comparisons side by side.
-fn largest(values: &[f64]) -> f64 {
-    let mut lanes = [f64::NEG_INFINITY; 8];
-    let chunks = values.chunks_exact(lanes.len());
-    let rest = chunks.remainder();
-    for values in chunks {
-        for (lane, value) in lanes.iter_mut().zip(values) {
-            *lane = if value > lane { *value } else { *lane };
-        }
-    }
-    lanes
-        .iter()
-        .chain(rest)
-        .copied()
-        .fold(f64::NEG_INFINITY, f64::max)
 }
 
 /// Films by cells: the products' functions at the films times their factors at the cells' middles, which begin at a number, times a factor of all.

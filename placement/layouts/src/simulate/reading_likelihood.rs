@@ -2,8 +2,8 @@
 
 use crate::field::film_field::{DepthFields, KindField, LoadField, Noise};
 use crate::field::separated::Separated;
+use crate::simulate::lanes::LANES;
 use crate::simulate::posterior_grid::{DEPTH_CELLS, MOST_PARTS, middles};
-use crate::simulate::turned_products::LANES;
 
 /// Share of the largest field that separation may leave out: of a signal 100 times the noise it changes ln p by some hundredths.
 const TOLERANCE: f64 = 3e-6;
@@ -27,7 +27,7 @@ pub(super) struct Coefficients {
 
 impl Coefficients {
     /// Length of a row.
-    pub fn row_len(&self) -> usize {
+    pub(super) fn row_len(&self) -> usize {
         self.rank.next_multiple_of(LANES)
     }
 

@@ -4,10 +4,8 @@ use std::cell::OnceCell;
 
 use crate::arrangement::Arrangement;
 use crate::field::separated::Separated;
+use crate::simulate::lanes::{dot, in_lanes};
 use crate::simulate::reading_likelihood::Likelihood;
-
-/// Sums of products that are made side by side.
-pub(super) const LANES: usize = 4;
 
 /// Products' functions at an angle.
 pub(super) struct Functions {
@@ -63,12 +61,18 @@ impl<'l> TurnedProducts<'l> {
     }
 
     /// Number of the products that are summed, with the zeros behind them.
-    pub fn row_len(&self) -> usize {
+    pub(super) fn row_len(&self) -> usize {
         self.likelihood.coefficients.row_len()
     }
 
     /// Adds the products' functions at a part of a turn, after these readings and their squares, to a list, and the zeros behind them.
-    pub fn add_after(&self, angle: usize, readings: &[f64], squares: &[f64], list: &mut Vec<f64>) {
+    pub(super) fn add_after(
+        &self,
+        angle: usize,
+        readings: &[f64],
+        squares: &[f64],
+        list: &mut Vec<f64>,
+    ) {
         let Functions {
             linear,
             quadratic,
@@ -105,21 +109,4 @@ fn at_films(field: &Separated, arrangement: &Arrangement, angle_deg: f64) -> Vec
         films.map(move |film| field.functions[film.kind][r].at(film.theta_deg - angle_deg))
     };
     (0..field.rank()).flat_map(product).collect()
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let (whole, rest) = a.split_at(a.len() - a.len() % LANES);
-    let rest = rest.iter().zip(&b[whole.len()..]);
-    in_lanes(whole, b) + rest.map(|(a, b)| a * b).sum::<f64>()
-}
-
-/// Sums side by side: one alone would wait for each addition. Of rows that are a multiple of [`LANES`] long.
-fn in_lanes(a: &[f64], b: &[f64]) -> f64 {
-    let mut sums = [0.0; LANES];
-    for (a, b) in a.chunks_exact(LANES).zip(b.chunks_exact(LANES)) {
-        for k in 0..LANES {
-            sums[k] += a[k] * b[k];
-        }
-    }
-    (sums[0] + sums[1]) + (sums[2] + sums[3])
 }

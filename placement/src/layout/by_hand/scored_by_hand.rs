@@ -209,7 +209,7 @@ impl HandLayouts {
         let fine = self.on_mesh(&self.fine, &asked, wanted.simulated);
         let coarse = self.coarse.as_ref().map(|(fields, coarser)| {
             let mesh = self.on_mesh(fields, &asked, wanted.simulated);
-            (mesh, coarser.factor)
+            (mesh, *coarser)
         });
         let scored = asked.into_iter().enumerate().map(|(k, asked)| {
             if stop.load(Ordering::Relaxed) {
@@ -220,10 +220,10 @@ impl HandLayouts {
             } = asked;
             let coarse = coarse
                 .as_ref()
-                .map(|(mesh, factor)| (mesh.figures(&arrangement), *factor));
+                .map(|(mesh, coarser)| (mesh.figures(&arrangement), *coarser));
             let coarse = coarse
                 .as_ref()
-                .map(|(scores, factor)| (&scores[..], *factor));
+                .map(|(scores, coarser)| (&scores[..], *coarser));
             let label = RankedLayout {
                 rank: k + 1,
                 ..label

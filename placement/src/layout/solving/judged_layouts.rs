@@ -65,7 +65,7 @@ impl Answer<'_> {
         let coarse = self
             .coarse
             .as_ref()
-            .map(|(fields, coarser)| (self.scorer(fields, &asked, study), coarser.factor));
+            .map(|(fields, coarser)| (self.scorer(fields, &asked, study), *coarser));
         let load_rows = self.loads(settings, study, &asked.kinds, &noise);
         let own_load = self.fine.fields.at(depth_mm);
         let shifts = InputShifts::of(study, slopes, asked.kinds.all(), own_load);
@@ -75,10 +75,10 @@ impl Answer<'_> {
             } = &asked.layouts[i];
             let coarse = coarse
                 .as_ref()
-                .map(|(scorer, factor)| (scorer.figures(arrangement), *factor));
+                .map(|(scorer, coarser)| (scorer.figures(arrangement), *coarser));
             let coarse = coarse
                 .as_ref()
-                .map(|(scores, factor)| (&scores[..], *factor));
+                .map(|(scores, coarser)| (&scores[..], *coarser));
             let scores = fine.scores(arrangement);
             let sources = shifts.as_ref();
             RankedLayout {
