@@ -18,8 +18,10 @@ const OUTPUT: [f64; 2] = [3e3, 30e3];
 /// Memory that solves leave in the allocator's pools, in meshes in work: that of few points, how many these are, points for another one, at most.
 const POOLS: (f64, f64, f64, f64) = (1.7, 26.0, 40.0, 3.5);
 /// Memory that the estimate of contacts keeps for each film of a layout on each thread, bytes: a dozen functions at 4860 angles, twice, and what the allocator
-/// keeps of them. The shipped study of layouts took 338 MB on the coarse mesh and 885 MB on the standard one.
+/// keeps of them.
 const FILM: f64 = 2e6;
+/// Memory of the tangents that are kept for further loads of layouts, in meshes in work. The shipped study took 903 to 1052 MB in fifteen runs.
+const CHAINED: f64 = 0.15;
 /// Memory of a search for each place that films may have, bytes: the shares of both criteria.
 const PLACE: f64 = 100e3;
 /// Memory of a solve of deep contact beside its mesh, bytes on the draft mesh: borders that are widened again and again, of as many nodes as a surface has.
@@ -46,23 +48,28 @@ fn solving(stage: &Stage, machine: &Machine) -> f64 {
     let (few, few_points, another, most) = POOLS;
     let solves = (stage.own.len() + stage.extra.expected) as f64;
     let pools = (few + (solves - few_points).max(0.0) / another).min(most);
-    let of_series = |series: &Vec<Point>| {
+    let of_series = |series: &Vec<Point>, kept: f64| {
         let own = |point: &&Point| {
             point.task.how == How::Afresh || point.task.friction || point.task.deep
         };
         // Those near a cut point share its factor, which is kept when they leave it.
         let at_once = (1 + series.iter().filter(own).count()).min(machine.threads);
         let is_deep = series.iter().any(|point| point.task.deep);
-        let meshes = at_once + usize::from(is_deep);
+        let meshes = (at_once + usize::from(is_deep)) as f64 + kept;
         let largest = series.iter().map(|point| point.task.memory_bytes());
         let borders = series.iter().map(|point| point.task.surface());
         let contact = match is_deep {
             true => DEEP * borders.fold(0.0, f64::max) * at_once as f64,
             false => 0.0,
         };
-        pools * largest.fold(0.0, f64::max) * meshes as f64 + contact
+        pools * largest.fold(0.0, f64::max) * meshes + contact
     };
-    stage.series().map(of_series).fold(0.0, f64::max)
+    let all = stage.series().map(|series| of_series(series, 0.0));
+    let layouts = stage
+        .layouts
+        .iter()
+        .map(|series| of_series(series, CHAINED));
+    all.chain(layouts).fold(0.0, f64::max)
 }
 
 #[cfg(test)]
