@@ -372,10 +372,10 @@ fn pressed_thrice() -> Study {
 /// Depths of layouts' solves, with those that they started from.
 type Begun = Mutex<Vec<(f64, Option<f64>)>>;
 
-/// Notes what layouts' solves start from; there is no equilibrium at 2 mm, unless it is said to be `reached`.
+/// Notes what layouts' solves start from; at 2 mm it may fail.
 fn noting(
     begun: &Begun,
-    reached: bool,
+    at_2_mm: fn() -> Option<SolveError>,
 ) -> Twisted<impl Fn(&SolveRequest<'_>) -> Option<SolveError> + Send + Sync> {
     Twisted::new(move |request: &SolveRequest<'_>| {
         if request.readout.rings.is_empty() {
@@ -384,22 +384,35 @@ fn noting(
         let depth = request.scene.ground.depths_mm[0];
         let start = request.start.map(|start| start.depths_mm[0]);
         begun.lock().unwrap().push((depth, start));
-        (depth == 2.0 && !reached).then(|| SolveError::NoEquilibrium {
-            status: NoEquilibrium::SolverFailed,
-            detail: "as asked".to_owned(),
-            reached: Reached::default(),
-        })
+        if depth == 2.0 { at_2_mm() } else { None }
     })
+}
+
+fn reached() -> Option<SolveError> {
+    None
+}
+
+fn without_equilibrium() -> Option<SolveError> {
+    Some(SolveError::NoEquilibrium {
+        status: NoEquilibrium::NotConverged,
+        detail: "as asked".to_owned(),
+        reached: Reached::default(),
+    })
+}
+
+fn broken() -> Option<SolveError> {
+    let detail = "as asked".to_owned();
+    Some(SolveError::Broken { detail })
 }
 
 #[test]
 fn loads_of_layouts_start_from_the_nearest_load_that_has_an_equilibrium() {
     let study = pressed_thrice();
-    for reached in [true, false] {
+    for (at_2_mm, far) in [(reached as fn() -> _, 2.0), (without_equilibrium, 1.0)] {
         let begun = Begun::default();
         let result = observed(
             &study,
-            &noting(&begun, reached),
+            &noting(&begun, at_2_mm),
             &MemoryArchive::default(),
             3,
         )
@@ -407,7 +420,6 @@ fn loads_of_layouts_start_from_the_nearest_load_that_has_an_equilibrium() {
         result.unwrap();
         let mut begun = begun.into_inner().unwrap();
         begun.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let far = if reached { 2.0 } else { 1.0 };
         let starts = |depth: f64| match depth {
             1.0 => None,
             d if d < 0.6 && d != 0.5 => Some(0.5),
@@ -426,7 +438,7 @@ fn loads_of_layouts_start_from_the_nearest_load_that_has_an_equilibrium() {
 fn loads_that_are_stored_are_started_from_again() {
     let study = pressed_thrice();
     let archive = MemoryArchive::default();
-    let whole = observed(&study, &noting(&Begun::default(), true), &archive, 2).0;
+    let whole = observed(&study, &noting(&Begun::default(), reached), &archive, 2).0;
     // What others start from is kept, and every other point of layouts lost.
     let starts: HashSet<String> = archive.starts.lock().unwrap().keys().cloned().collect();
     assert_eq!(starts.len(), 1 + 3, "the cut point, and three loads");
@@ -436,7 +448,7 @@ fn loads_that_are_stored_are_started_from_again() {
         .unwrap()
         .retain(|key, _| starts.contains(key));
     let begun = Begun::default();
-    let solver = noting(&begun, true);
+    let solver = noting(&begun, reached);
     let again = observed(&study, &solver, &archive, 2).0;
     assert_eq!(text(&again.unwrap()), text(&whole.unwrap()));
     assert_eq!(solver.solves.load(Ordering::Relaxed), POINTS - 1 + 8);
@@ -446,6 +458,31 @@ fn loads_that_are_stored_are_started_from_again() {
             .iter()
             .all(|(depth, start)| start.is_some() && *depth != 2.0)
     );
+}
+
+#[test]
+fn what_started_elsewhere_because_a_solver_broke_is_not_kept() {
+    let study = pressed_thrice();
+    let archive = MemoryArchive::default();
+    let broke = observed(&study, &noting(&Begun::default(), broken), &archive, 2).0;
+    assert!(broke.is_ok(), "{broke:?}");
+    // 2 mm, and the three loads beside it.
+    assert_eq!(archive.points.lock().unwrap().len(), POINTS + 11 - 4);
+    let begun = Begun::default();
+    let solver = noting(&begun, reached);
+    let mended = observed(&study, &solver, &archive, 2).0;
+    assert_eq!(solver.solves.load(Ordering::Relaxed), 4);
+    let begun = begun.lock().unwrap();
+    let beside = begun.iter().filter(|(_, start)| *start == Some(2.0));
+    assert_eq!(beside.count(), 3);
+    let whole = observed(
+        &study,
+        &noting(&Begun::default(), reached),
+        &MemoryArchive::default(),
+        2,
+    )
+    .0;
+    assert_eq!(text(&mended.unwrap()), text(&whole.unwrap()));
 }
 
 #[test]

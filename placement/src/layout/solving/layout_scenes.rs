@@ -3,7 +3,7 @@
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::{Readout, RingLine};
 
-use crate::points::Starts;
+use crate::points::{SceneSeries, Starts};
 use documents::layouts::layout_settings::{LayoutLoads, Layouts};
 use documents::signals::series::loads_of_transfer;
 use layouts::arrangement::FilmKind;
@@ -111,9 +111,13 @@ impl LayoutScenes {
         })
     }
 
-    /// Starts of the solved loads.
-    pub(crate) fn starts(&self) -> &Starts {
-        &self.starts
+    /// All that is solved on a level, read for these kinds of film.
+    pub(crate) fn series(&self, level: Level, kinds: &[FilmKind]) -> SceneSeries {
+        SceneSeries {
+            scenes: self.scenes(level),
+            starts: self.starts.clone(),
+            readout: readout(kinds),
+        }
     }
 
     /// The scenes of what is solved, on a level.

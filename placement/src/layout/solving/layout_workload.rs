@@ -5,7 +5,7 @@ use fem_client::solver::{Coarser, Readout, Solver};
 
 use crate::layout::solving::glued_films::GluedFilms;
 use crate::layout::solving::judged_layouts::FULL_TO_SHORT;
-use crate::layout::solving::layout_scenes::{LayoutScenes, readout};
+use crate::layout::solving::layout_scenes::LayoutScenes;
 use crate::layout::solving::mirror_parts::mirrored;
 use crate::layout::solving::study_layouts::Asked;
 use crate::points::SceneSeries;
@@ -41,11 +41,7 @@ pub(crate) fn layout_series(study: &Study, plan: &Plan, solver: &dyn Solver) -> 
     let glued = glued.filter(|film| check_transferable(film).is_ok());
     let mut series = Vec::new();
     for level in levels {
-        series.push(SceneSeries {
-            scenes: scenes.scenes(level),
-            starts: scenes.starts().clone(),
-            readout: readout(kinds),
-        });
+        series.push(scenes.series(level, kinds));
         if let Some(film) = glued {
             let films = GluedFilms::of_layouts(film, &scenes, kinds, level);
             let from_first = |scenes| SceneSeries::from_first(scenes, Readout::default());

@@ -6,7 +6,7 @@ use fem_client::solver::{Readout, Solver};
 use crate::layout::solving::glued_films::GluedFilms;
 use crate::layout::solving::judged_layouts::Answer;
 use crate::layout::solving::layout_fields::{MeshFields, mesh_fields};
-use crate::layout::solving::layout_scenes::{LayoutScenes, readout};
+use crate::layout::solving::layout_scenes::LayoutScenes;
 use crate::layout::solving::layout_workload::{layout_series, levels};
 use crate::layout::solving::mirror_parts::mirrored;
 use crate::layout::solving::shear_fields::add_shear;
@@ -15,7 +15,7 @@ use crate::points::Place;
 use crate::points::RunContext;
 use crate::points::RunError;
 use crate::points::archive::Outcome;
-use crate::points::{Answers, PointSeries, Starts, answers_of_all};
+use crate::points::{Answers, PointSeries, SceneSeries, answers_of_all};
 use crate::score::map_slopes::MapSlopes;
 use documents::study::Study;
 use documents::study::plan::Plan;
@@ -90,10 +90,10 @@ pub(crate) fn both_meshes<'s>(
     let meshes: Vec<Level> = std::iter::once(level)
         .chain(coarser.map(|coarser| coarser.level))
         .collect();
-    let on_mesh = |level: &Level| (scenes.scenes(*level), scenes.starts().clone());
-    let loads: Vec<(Vec<Scene>, Starts)> = meshes.iter().map(on_mesh).collect();
-    let (readout, means) = (readout(asked.kinds.all()), &plan.values()[0]);
-    let pressed = outcomes_of_all(&loads, &readout, means, &mut place, context)?;
+    let on_mesh = |level: &Level| scenes.series(*level, asked.kinds.all());
+    let loads: Vec<SceneSeries> = meshes.iter().map(on_mesh).collect();
+    let means = &plan.values()[0];
+    let pressed = outcomes_of_all(&loads, means, &mut place, context)?;
     let mut answers = Vec::new();
     for mesh in meshes.into_iter().zip(pressed) {
         answers.push(mesh_answer(
@@ -174,10 +174,12 @@ fn drag(
     place: &mut Place,
     context: RunContext<'_>,
 ) -> Result<(), RunError> {
-    let sheared = |answer: &MeshAnswer| from_first(scenes.sheared(answer.level));
-    let sheared: Vec<(Vec<Scene>, Starts)> = answers.iter().flatten().map(sheared).collect();
     let readout = mirrored(asked.kinds.all());
-    let dragged = outcomes_of_all(&sheared, &readout, means, place, context)?;
+    let sheared = |answer: &MeshAnswer| {
+        SceneSeries::from_first(scenes.sheared(answer.level), readout.clone())
+    };
+    let sheared: Vec<SceneSeries> = answers.iter().flatten().map(sheared).collect();
+    let dragged = outcomes_of_all(&sheared, means, place, context)?;
     for (answer, dragged) in answers.iter_mut().flatten().zip(dragged) {
         add_shear(&mut answer.fields, scenes, &answer.kinds, dragged);
     }
@@ -192,38 +194,26 @@ pub(crate) fn outcomes(
     place: &mut Place,
     context: RunContext<'_>,
 ) -> Result<Result<Vec<Outcome>, String>, RunError> {
-    let mut found = outcomes_of_all(
-        &[from_first(scenes.to_vec())],
-        readout,
-        means,
-        place,
-        context,
-    )?;
+    let series = SceneSeries::from_first(scenes.to_vec(), readout.clone());
+    let mut found = outcomes_of_all(&[series], means, place, context)?;
     Ok(found.remove(0))
 }
 
-/// Scenes with their starts, of which all others start from the first one.
-fn from_first(scenes: Vec<Scene>) -> (Vec<Scene>, Starts) {
-    let starts = Starts::from_first(scenes.len());
-    (scenes, starts)
-}
-
-/// Solves several series of scenes with their starts at once; of the first alone, where nothing came of it.
+/// Solves several series of scenes at once; of the first alone, where nothing came of it.
 fn outcomes_of_all(
-    all: &[(Vec<Scene>, Starts)],
-    readout: &Readout,
+    all: &[SceneSeries],
     means: &[f64],
     place: &mut Place,
     context: RunContext<'_>,
 ) -> Result<Vec<Result<Vec<Outcome>, String>>, RunError> {
-    let values = |(scenes, _): &(Vec<Scene>, Starts)| vec![means.to_vec(); scenes.len()];
+    let values = |series: &SceneSeries| vec![means.to_vec(); series.scenes.len()];
     let values: Vec<Vec<Vec<f64>>> = all.iter().map(values).collect();
     let series = all.iter().zip(&values);
-    let series = series.map(|((scenes, starts), values)| PointSeries {
-        scenes,
-        starts: starts.clone(),
+    let series = series.map(|(series, values)| PointSeries {
+        scenes: &series.scenes,
+        starts: series.starts.clone(),
         values,
-        readout,
+        readout: &series.readout,
     });
     let answers = answers_of_all(&series.collect::<Vec<_>>(), *place, context)?;
     place.first += values.iter().map(Vec::len).sum::<usize>();

@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use fem_client::scene::Scene;
-use fem_client::solver::{Readout, SolveError, SolveRequest, Solver, StartState};
+use fem_client::solver::{NoEquilibrium, Readout, SolveError, SolveRequest, Solver, StartState};
 use rayon::iter::{ParallelBridge, ParallelIterator};
 
 use super::attempt::{Costed, Found, Process, ask, quarantined};
@@ -19,7 +19,6 @@ use super::starts::Starts;
 use crate::points::archive::{Archive, ArchiveError, Outcome, PointRecord};
 use crate::points::run_error::{RunError, refusals};
 use crate::points::run_event::{Event, Observer};
-use documents::study::sha256_hex;
 use results::{Cause, FailedPoint};
 
 /// A series of points, with what they share.
@@ -103,39 +102,28 @@ impl Answers {
     }
 }
 
-/// States that points start from, by the ordinals of those they belong to.
-type States = BTreeMap<usize, Arc<StartState>>;
+/// States that points start from, by the ordinals of the points that they are said to start from.
+type States = BTreeMap<usize, Begin>;
+
+/// A state that points start from.
+#[derive(Clone)]
+struct Begin {
+    state: Arc<StartState>,
+    /// Whether it is what the keys of these points stand for. Of a point that broke, and may be solved another time, it isn't: what starts there isn't kept.
+    is_keyed: bool,
+}
+
+impl Begin {
+    fn keyed(state: StartState) -> Self {
+        Self {
+            state: Arc::new(state),
+            is_keyed: true,
+        }
+    }
+}
 
 /// A solved point, with its state where others start from it.
-type WithState = (Costed, Option<StartState>);
-
-/// Content keys: SHA-256 over all that determines an outcome to the bit, which is the solver's version, the scene, the
-/// readout and the start. The cut point starts from scratch, each other one from a point for which its key stands.
-pub(crate) fn keys<'k>(
-    scenes: &'k [Scene],
-    starts: &'k Starts,
-    solver: &dyn Solver,
-    readout: &'k Readout,
-) -> impl Iterator<Item = String> + 'k {
-    let version = solver.version();
-    let readouts = PointReadouts::new(readout, scenes);
-    let key = move |ordinal: usize, start: &str| {
-        let (scene, readout) = (scenes[ordinal].to_value(), readouts.of(ordinal));
-        let content = serde_json::json!({
-            "solver": version, "scene": scene, "readout": readout, "start": start,
-        });
-        sha256_hex(&content.to_string())
-    };
-    let mut left = BTreeMap::new();
-    (0..scenes.len()).map(move |ordinal| {
-        let start = starts.of(ordinal).and_then(|start| left.get(&start));
-        let own = key(ordinal, start.map_or("scratch", String::as_str));
-        if starts.is_left(ordinal) {
-            left.insert(ordinal, own.clone());
-        }
-        own
-    })
-}
+type WithState = (Costed, Option<Begin>);
 
 /// Points looked up in the archive before the run asks whether it is to stop.
 const AT_ONCE: usize = 4096;
@@ -182,7 +170,7 @@ impl Points<'_> {
                 _ => Process::Own,
             };
             let cut = self.cut_point(&mut found[0], of_cut)?;
-            let mut states = States::from([(0, Arc::new(cut))]);
+            let mut states = States::from([(0, Begin::keyed(cut))]);
             for generation in self.starts.generations() {
                 // Those that may end the program come last, and each alone: only one process more takes memory.
                 for (ordinals, process) in [(&clean, Process::Own), (&suspect, Process::Apart)] {
@@ -192,7 +180,7 @@ impl Points<'_> {
                     let due: Vec<usize> = due.copied().collect();
                     for (ordinal, (answer, state)) in self.others(&due, &states, process)? {
                         found[ordinal] = Some(answer);
-                        states.extend(state.map(|state| (ordinal, Arc::new(state))));
+                        states.extend(state.map(|state| (ordinal, state)));
                     }
                 }
                 self.load_states(&generation, &found, &mut states)?;
@@ -284,17 +272,24 @@ impl Points<'_> {
             if !self.starts.is_left(ordinal) || states.contains_key(&ordinal) {
                 continue;
             }
-            let state = match &found[ordinal] {
-                Some((Ok(_), _)) => Arc::new(self.stored_state(ordinal)?),
-                _ => self.start_of(ordinal, states),
+            let begin = match &found[ordinal] {
+                Some((Err(unsolved), _)) => {
+                    let own = self.begin_of(ordinal, states);
+                    let is_lasting = NoEquilibrium::ALL.contains(&unsolved.status);
+                    Begin {
+                        is_keyed: own.is_keyed && is_lasting,
+                        ..own
+                    }
+                }
+                _ => Begin::keyed(self.stored_state(ordinal)?),
             };
-            states.insert(ordinal, state);
+            states.insert(ordinal, begin);
         }
         Ok(())
     }
 
     /// The state that a point starts from, whose start is of a generation before.
-    fn start_of(&self, ordinal: usize, states: &States) -> Arc<StartState> {
+    fn begin_of(&self, ordinal: usize, states: &States) -> Begin {
         states[&self.starts.of(ordinal).unwrap_or_default()].clone()
     }
 
@@ -329,7 +324,7 @@ impl Points<'_> {
             if over.load(Ordering::Relaxed) || self.shared.has_ended() {
                 return None;
             }
-            let outcome = self.point(ordinal, &self.start_of(ordinal, states), process);
+            let outcome = self.point(ordinal, &self.begin_of(ordinal, states), process);
             // Asked after a point, so that a run that is paused again and again still comes to its end.
             let paused = self
                 .pause
@@ -359,13 +354,8 @@ impl Points<'_> {
     }
 
     /// Solves, saves and reports one point, in this order: what is reported survives.
-    fn point(
-        &self,
-        ordinal: usize,
-        start: &StartState,
-        process: Process,
-    ) -> Result<WithState, Lack> {
-        match self.solved(ordinal, Some(start), process) {
+    fn point(&self, ordinal: usize, begin: &Begin, process: Process) -> Result<WithState, Lack> {
+        match self.solved(ordinal, Some(&begin.state), process) {
             Ok(Found {
                 answer,
                 state,
@@ -373,11 +363,18 @@ impl Points<'_> {
             }) => {
                 let state = state.filter(|_| self.starts.is_left(ordinal));
                 if lasting {
-                    let saved = self.save(ordinal, &answer, state.as_ref());
-                    saved.map_err(Lack::Archive)?;
+                    let kept = match begin.is_keyed {
+                        true => self.save(ordinal, &answer, state.as_ref()),
+                        false => self.archive.give_up(&self.keys[ordinal]),
+                    };
+                    kept.map_err(Lack::Archive)?;
                 }
                 self.report(ordinal, &answer);
-                Ok((answer, state))
+                let own = |state| Begin {
+                    state: Arc::new(state),
+                    ..*begin
+                };
+                Ok((answer, state.map(own)))
             }
             Err(lack) => {
                 if let Lack::Refused(error) = &lack {

@@ -9,7 +9,8 @@ use fem_client::scene::Scene;
 use fem_client::solver::Readout;
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
 
-use super::planned_points::{Answers, Place, Points, Shared, keys};
+use super::planned_points::{Answers, Place, Points, Shared};
+use super::point_keys::keys;
 use super::starts::Starts;
 use crate::points::run_context::RunContext;
 use crate::points::run_error::RunError;
