@@ -4,9 +4,13 @@
 const DECIMALS: usize = 1;
 const MOST_DECIMALS: usize = 4;
 
-/// `9.2 +- 1.5`: two digits of the error, and the figure to the same place. `9.2` where no error is known.
+/// `9.2 +- 1.5`: two digits of the error, and the figure to the same place. `9.2` where no error is known; `100` or `56.421` where the error is below the last decimal.
 pub(crate) fn with_error(value: f64, error: Option<f64>) -> String {
     match error {
+        Some(error) if error < 0.5 * 10f64.powi(-(MOST_DECIMALS as i32)) => {
+            let text = format!("{value:.MOST_DECIMALS$}");
+            text.trim_end_matches('0').trim_end_matches('.').to_owned()
+        }
         Some(error) => {
             let decimals = decimals(error);
             format!("{value:.decimals$} +- {error:.decimals$}")
@@ -17,7 +21,7 @@ pub(crate) fn with_error(value: f64, error: Option<f64>) -> String {
 
 /// Decimals that show two digits of an error.
 fn decimals(error: f64) -> usize {
-    if error <= 0.0 || !error.is_finite() {
+    if !error.is_finite() {
         return DECIMALS;
     }
     (0..MOST_DECIMALS)
@@ -46,8 +50,9 @@ mod tests {
             (36.47, Some(27.47), "36 +- 27"),
             (0.872, Some(0.211), "0.87 +- 0.21"),
             (72.86, Some(9.96), "73 +- 10"),
-            (5.0, Some(0.0), "5.0 +- 0.0"),
-            (5.0, Some(1e-9), "5.0000 +- 0.0000"),
+            (100.0, Some(0.0), "100"),
+            (56.421, Some(1e-9), "56.421"),
+            (5.0, Some(6e-5), "5.0000 +- 0.0001"),
             (5.04, None, "5.0"),
         ];
         for (value, error, words) in cases {
