@@ -12,7 +12,11 @@ pub fn held(errors: &[f64], claims: &[f64]) -> f64 {
 /// Returns the quantile of true errors over claims.
 pub fn over(errors: &[f64], claims: &[f64], share: f64) -> f64 {
     let pairs = errors.iter().zip(claims);
-    let mut ratios: Vec<f64> = pairs.map(|(error, claim)| error / claim).collect();
-    ratios.sort_by(f64::total_cmp);
-    ratios[(share * (ratios.len() - 1) as f64).ceil() as usize]
+    quantile(pairs.map(|(error, claim)| error / claim).collect(), share)
+}
+
+/// Returns the value that so large a share of all values has below it: of those between two ranks the larger one.
+pub fn quantile(mut values: Vec<f64>, share: f64) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values[(share * (values.len() - 1) as f64).ceil() as usize]
 }

@@ -26,17 +26,11 @@ use tire::mesh_error::coarser;
 use tire::model::mesh_plan_for;
 
 use eight_tires::{finer, study, tires};
-use held_claims::{SHARE, held, over};
+use held_claims::{SHARE, held, over, quantile};
 
 /// Loads over the mean of a tire's depths.
 const LOADS: [f64; 3] = [0.5, 1.0, 2.0];
 const UNITS: [usize; 6] = [6, 9, 12, 18, 24, 30];
-const LEVELS: [Level; 4] = [
-    Level::Draft,
-    Level::Coarse,
-    Level::Standard,
-    Level::Reference,
-];
 /// Noise over the crown's largest strain.
 const NOISE: f64 = 0.02;
 /// Claims of simulated figures have so many standard errors of the simulation beside the mesh's.
@@ -61,7 +55,7 @@ fn main() {
             of_tire(&scene, &LOADS.map(|load| load * depth))
         })
         .collect();
-    for (k, level) in LEVELS.iter().skip(1).enumerate() {
+    for (k, level) in Level::ALL.iter().skip(1).enumerate() {
         for (what, name) in WHAT.iter().enumerate() {
             let mut all = Judged::default();
             of_tires.iter().for_each(|judged| all.add(&judged[k][what]));
@@ -75,12 +69,12 @@ type Scores = Vec<Vec<LayoutScore>>;
 
 /// Claims on every level with a coarser one, of bounds and of simulated figures.
 fn of_tire(tire: &Scene, loads: &[f64]) -> Vec<[Judged; 2]> {
-    let levels = LEVELS.iter().map(|level| (*level, false));
+    let levels = Level::ALL.iter().map(|level| (*level, false));
     let meshes = levels.chain([(Level::Reference, true)]);
     let fields: Vec<MeshFields> = meshes
         .map(|(level, is_truth)| fields(tire, loads, level, is_truth))
         .collect();
-    let truth = &fields[LEVELS.len()];
+    let truth = &fields[Level::ALL.len()];
     let depths: Vec<f64> = truth.loads.iter().flatten().copied().collect();
     let layouts = layouts();
     let scores_on = |fields: &MeshFields| -> Scores {
@@ -108,16 +102,16 @@ fn of_tire(tire: &Scene, loads: &[f64]) -> Vec<[Judged; 2]> {
     let scores: Vec<Scores> = fields.iter().map(scores_on).collect();
     let on_level = |k: usize| {
         let mut scene = tire.clone();
-        scene.model.level = LEVELS[k];
+        scene.model.level = Level::ALL[k];
         let coarser = coarser(&scene).expect("a coarser level");
         judged(
             &depths,
             &scores[k],
             (&scores[k - 1], coarser),
-            &scores[LEVELS.len()],
+            &scores[Level::ALL.len()],
         )
     };
-    (1..LEVELS.len()).map(on_level).collect()
+    (1..Level::ALL.len()).map(on_level).collect()
 }
 
 fn judged(
@@ -141,7 +135,7 @@ fn judged(
             RankedLayout::default(),
             &loads,
             own.clone(),
-            Some((before, coarser)),
+            Some(&(before.clone(), coarser)),
         );
         for ((load, before), truth) in claimed.loads.iter().zip(before).zip(truth) {
             for (all, figures) in all.iter_mut().zip([&BOUNDS, &SIMULATED]) {
@@ -254,12 +248,11 @@ impl std::fmt::Display for Judged {
             by_figure,
             by_layout,
         } = self;
-        let ones = vec![1.0; relative.len()];
         write!(
             f,
             "{} | {:.1} % | {:.1} % | {:.1} | {:.1} % | {:.1} | {:.2}",
             errors.len(),
-            100.0 * over(relative, &ones, SHARE),
+            100.0 * quantile(relative.clone(), SHARE),
             held(errors, by_figure),
             1.0 / over(errors, by_figure, 0.5),
             held(errors, by_layout),

@@ -258,12 +258,7 @@ impl Machine {
         };
         let all = correction(&|_| true).unwrap_or(1.0);
         let mut factors = BTreeMap::new();
-        for level in [
-            Level::Draft,
-            Level::Coarse,
-            Level::Standard,
-            Level::Reference,
-        ] {
+        for level in Level::ALL {
             for how in [How::Near, How::Afresh] {
                 let kind = (level, how);
                 let factor = self.factor(&kind);

@@ -9,7 +9,6 @@ use fem_client::solver::{Readout, Solver};
 use gsa::method::{Kind, Method};
 
 use super::solve_time::{How, Task, mirror_class, tire};
-use crate::ladder::climb::LEVELS;
 use crate::ladder::fidelity::Fidelity;
 use crate::layout::solving::layout_workload::{largest_layout, layout_series, scorings, searched};
 use crate::layout::solving::study_layouts::Asked;
@@ -283,7 +282,7 @@ fn numbers() -> impl Fn(&[Scene], &Starts, &Readout) -> Vec<String> {
 /// The rungs of a climb as they follow each other on the paper's study: the adaptive method on the first mesh with an error, then finer meshes.
 fn path(first: Fidelity) -> Vec<Fidelity> {
     let mut path = vec![first];
-    for level in LEVELS.into_iter().filter(|level| *level >= first.level) {
+    for level in Level::ALL.into_iter().filter(|level| *level >= first.level) {
         let own = Fidelity { level, ..first };
         if level != first.level && level == Level::Coarse {
             path.push(own);

@@ -25,13 +25,6 @@ use documents::study::plan::Plan;
 use documents::study::{Accuracy, Study};
 use results::{Climb, ClimbRung, GradedNote, Output, StudyResult, Topic};
 
-/// Levels that are climbed. The draft doesn't know its own error, and is for a budget's first answer alone.
-pub(crate) const LEVELS: [Level; 4] = [
-    Level::Draft,
-    Level::Coarse,
-    Level::Standard,
-    Level::Reference,
-];
 /// Share of the tolerance that the method may take; the mesh has the rest.
 const OF_METHOD: f64 = 0.5;
 /// Share of what the finest mesh leaves of the tolerance that the method may take then.
@@ -233,7 +226,7 @@ impl<'c> Climber<'c> {
         if self.tolerance().is_some_and(|tolerance| claim <= tolerance) {
             return None;
         }
-        let finer = LEVELS.into_iter().find(|level| *level > fidelity.level);
+        let finer = Level::ALL.into_iter().find(|level| *level > fidelity.level);
         let finer = finer.map(|level| Fidelity { level, ..fidelity });
         let adaptive = (!fidelity.kind.is_adaptive()).then_some(Fidelity {
             kind: Kind::Auto,

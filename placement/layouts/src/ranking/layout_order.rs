@@ -38,7 +38,7 @@ pub fn with_scores(
     mut label: RankedLayout,
     loads: &[LayoutLoad],
     fine: Vec<LayoutScore>,
-    coarse: Option<(&[LayoutScore], Coarser)>,
+    coarse: Option<&(Vec<LayoutScore>, Coarser)>,
 ) -> RankedLayout {
     let claims = coarse.map(|(coarse, coarser)| {
         let of = |figures: &[Figure]| coarser.of_largest * largest_change(&fine, coarse, figures);
@@ -368,7 +368,7 @@ mod tests {
             RankedLayout::default(),
             &[load(2.0), load(1.0)],
             fine,
-            Some((&coarse, coarser)),
+            Some(&(coarse, coarser)),
         );
         assert_eq!(found.score.simulated_p95_angle_error_deg, Some(9.0));
         let error = found

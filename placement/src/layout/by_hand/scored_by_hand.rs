@@ -221,15 +221,12 @@ impl HandLayouts {
             let coarse = coarse
                 .as_ref()
                 .map(|(mesh, coarser)| (mesh.figures(&arrangement), *coarser));
-            let coarse = coarse
-                .as_ref()
-                .map(|(scores, coarser)| (&scores[..], *coarser));
             let label = RankedLayout {
                 rank: k + 1,
                 ..label
             };
             let fine = fine.scores(&arrangement);
-            Some(with_scores(label, &self.loads, fine, coarse))
+            Some(with_scores(label, &self.loads, fine, coarse.as_ref()))
         });
         scored.collect()
     }

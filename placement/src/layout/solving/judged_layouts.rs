@@ -76,14 +76,11 @@ impl Answer<'_> {
             let coarse = coarse
                 .as_ref()
                 .map(|(scorer, coarser)| (scorer.figures(arrangement), *coarser));
-            let coarse = coarse
-                .as_ref()
-                .map(|(scores, coarser)| (&scores[..], *coarser));
             let scores = fine.scores(arrangement);
             let sources = shifts.as_ref();
             RankedLayout {
                 error_sources: sources.and_then(|shifts| shifts.sources(arrangement, &noise)),
-                ..with_scores(label.clone(), &load_rows, scores, coarse)
+                ..with_scores(label.clone(), &load_rows, scores, coarse.as_ref())
             }
         });
         let mut layouts = scored.ok_or(RunError::Stopped)?;
