@@ -20,8 +20,8 @@ const POOLS: (f64, f64, f64, f64) = (1.7, 26.0, 40.0, 3.5);
 /// Memory that the estimate of contacts keeps for each film of a layout on each thread, bytes: a dozen functions at 4860 angles, twice, and what the allocator
 /// keeps of them.
 const FILM: f64 = 2e6;
-/// Memory of the tangents that are kept for further loads of layouts, in meshes in work. The shipped study took 903 to 1052 MB in fifteen runs.
-const CHAINED: f64 = 0.15;
+/// Memory of the tangents that are kept for further loads of layouts, in meshes in work. The shipped study took 903 to 1069 MB in seventeen runs.
+const CHAINED: f64 = 0.2;
 /// Memory of a search for each place that films may have, bytes: the shares of both criteria.
 const PLACE: f64 = 100e3;
 /// Memory of a solve of deep contact beside its mesh, bytes on the draft mesh: borders that are widened again and again, of as many nodes as a surface has.
