@@ -1,6 +1,6 @@
 //! Tools that the measuring rigs share. Each rig is an example of this crate: `cargo run --release -p lab --example NAME` prints a table of `docs/`.
 //!
-//! - `all_cores`: pieces of work on all cores
+//! - [`all_cores`]: pieces of work on all cores
 //! - [`cpu`]: processor time of a thread
 //! - [`limit`]: the limit of a value under refinement, with its error
 //! - [`mesh_families`]: ever finer meshes of the reference tire
@@ -9,7 +9,7 @@
 //! - [`reference_tire`]: the reference tire, and one solve of it
 //! - [`study_runs`]: studies on any mesh level, and what they are run with
 
-pub(crate) mod all_cores;
+pub mod all_cores;
 pub mod cpu;
 pub mod film_criteria;
 pub mod limit;

@@ -36,8 +36,14 @@ export function leftOutWords({ what, effect }: LeftOut): string {
 
 /** `P2, P4 in x, 72.9 ± 2.9 %`: the places with their index. */
 export function placeWords({ names, direction, index, error }: PlaceAnswer): string {
-  const unsure = error == null ? "%, error unknown" : `± ${fixed(100 * error, 1)} %`;
-  return `${names.join(", ")} in ${direction}, ${fixed(100 * index, 1)} ${unsure}`;
+  const unsure = error == null ? ", error unknown" : "";
+  return `${names.join(", ")} in ${direction}, ${percent(index, error)}${unsure}`;
+}
+
+/** `72.9 ± 2.9 %`; the figure alone where its error is unknown, or below its last decimal. */
+function percent(share: number, error: number | null | undefined): string {
+  const off = error == null ? "" : fixed(100 * error, 1);
+  return `${fixed(100 * share, 1)} ${Number(off) === 0 ? "" : `± ${off} `}%`;
 }
 
 /** Inputs named before the rest is left to the matrix. */
@@ -45,9 +51,7 @@ const MATTERING = 3;
 
 /** `cords 39.0 ± 1.2 %, P3 30.1 ± 0.8 %, P2 9.9 ± 0.8 % of y at P3`: the inputs that matter most. */
 export function inputWords({ shares, direction, location }: InputsAnswer): string {
-  const words = shares
-    .slice(0, MATTERING)
-    .map(({ input, index, error }) => `${input} ${fixed(100 * index, 1)} ${error == null ? "" : `± ${fixed(100 * error, 1)} `}%`);
+  const words = shares.slice(0, MATTERING).map(({ input, index, error }) => `${input} ${percent(index, error)}`);
   return `${words.join(", ")} of ${direction} at ${location}`;
 }
 
