@@ -27,10 +27,10 @@ const MIDDLE: usize = 2;
 /// Depth of the other stations where P3's moves alone, mm.
 const OTHERS: f64 = 1.0;
 const LEVELS: [Level; 3] = [Level::Coarse, Level::Standard, Level::Reference];
-/// What is read, in the order of [`Curve::slopes`].
+/// Slopes that are printed, in the order of [`Curve::slopes`].
 const READ: [&str; 3] = ["dx/dd", "dy/dd", "dF/dd"];
 
-/// Which stations move.
+/// Stations whose depths move.
 #[derive(Clone, Copy)]
 enum Moves {
     All,
