@@ -1,6 +1,6 @@
 //! Slopes of the reference tire's strains and force over the depth, on three levels beside a finer mesh. The table and the picture of `docs/proof/slopes.md`.
 //!
-//! `cargo run --release -p lab --example slopes -- docs/pictures/slopes.svg`, four minutes on two cores.
+//! `cargo run --release -p lab --example slopes -- docs/pictures/slopes.svg`, three minutes on two cores.
 
 mod slope_figure;
 

@@ -1,1 +1,0 @@
-export{Bt as readToml}from"../views-BWfAMAKQ.js";

@@ -1,0 +1,1 @@
+export{Bt as readToml}from"../views-Dd4tQc0N.js";
