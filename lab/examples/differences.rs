@@ -12,6 +12,7 @@ use documents::study::{Study, presets};
 use documents::sweep::{Design, Sweep};
 use estimation::error_metrics::order_statistics::upper_median;
 use fem_client::solver::direction::PerDirection;
+use lab::all_cores::cores;
 use placement::compare::{ComparedIndex, ComparedLocation, Comparison, Entry, Verdict, compare};
 use placement::ladder::climb::answer;
 use placement::points::RunContext;
@@ -125,7 +126,7 @@ fn solved(study: &Study) -> Result<StudyResult, Box<dyn std::error::Error>> {
     let context = RunContext {
         solver: &EmbeddedSolver::default(),
         archive: &MemoryArchive::default(),
-        threads: std::thread::available_parallelism().map_or(1, usize::from),
+        threads: cores(),
         stop: &AtomicBool::new(false),
         pause: None,
         observer: &|_| (),

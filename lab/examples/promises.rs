@@ -11,6 +11,7 @@ use documents::study::plan::Plan;
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
 use gsa::method::Kind;
+use lab::all_cores::cores;
 use placement::ladder::climb;
 use placement::ladder::fidelity::Fidelity;
 use placement::ladder::trade;
@@ -118,7 +119,7 @@ fn truth(study: &Study) -> Result<StudyResult, RunError> {
     };
     let stop = AtomicBool::new(false);
     let solver = Finest(EmbeddedSolver::default());
-    trade::answer(study, fidelity, &solver, threads(), &stop, &|_| ())
+    trade::answer(study, fidelity, &solver, cores(), &stop, &|_| ())
 }
 
 fn answered(study: &Study) -> Result<StudyResult, RunError> {
@@ -126,16 +127,12 @@ fn answered(study: &Study) -> Result<StudyResult, RunError> {
     let context = RunContext {
         solver: &EmbeddedSolver::default(),
         archive: &MemoryArchive::default(),
-        threads: threads(),
+        threads: cores(),
         stop: &stop,
         pause: None,
         observer: &|_| (),
     };
     climb::answer(study, &Plan::new(study)?, context)
-}
-
-fn threads() -> usize {
-    std::thread::available_parallelism().map_or(1, usize::from)
 }
 
 /// Prints a row: what was asked for is of every index of every strain, and so are these errors.

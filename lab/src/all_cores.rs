@@ -11,6 +11,6 @@ pub fn cores() -> usize {
 }
 
 /// Computes `of` of each number below `count`, in their order.
-pub(crate) fn on_all_cores<T: Send>(count: usize, of: impl Fn(usize) -> T + Sync) -> Vec<T> {
+pub fn on_all_cores<T: Send>(count: usize, of: impl Fn(usize) -> T + Sync) -> Vec<T> {
     in_parallel(count, cores(), &AtomicBool::new(false), of).expect("nobody stops it")
 }

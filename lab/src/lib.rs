@@ -2,6 +2,7 @@
 //!
 //! - [`all_cores`]: pieces of work on all cores
 //! - [`cpu`]: processor time of a thread
+//! - [`largest`]: the largest error among several
 //! - [`limit`]: the limit of a value under refinement, with its error
 //! - [`mesh_families`]: ever finer meshes of the reference tire
 //! - [`film_criteria`]: kinds of film by criteria that no answer uses
@@ -12,6 +13,7 @@
 pub mod all_cores;
 pub mod cpu;
 pub mod film_criteria;
+pub mod largest;
 pub mod limit;
 pub mod mesh_families;
 pub mod published;

@@ -10,6 +10,7 @@ use tire::mesh::tire_grid::MeshPlan;
 use tire::model::mesh_plan_for;
 
 use lab::cpu::cpu_seconds;
+use lab::largest::largest;
 use lab::reference_tire::solve;
 
 /// Deviations of the five depths from their mean, relative: the points that are compared.
@@ -209,8 +210,4 @@ fn row(own: &Answers, truth: &Answers) -> String {
         100.0 * slopes[1],
         100.0 * slopes[2],
     )
-}
-
-fn largest(values: impl Iterator<Item = f64>) -> f64 {
-    values.fold(0.0, |largest: f64, value| largest.max(value.abs()))
 }

@@ -12,6 +12,8 @@ use documents::study::Study;
 use documents::study::plan::Plan;
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::{Coarser, SolveError, SolveRequest, Solved, Solver};
+use lab::all_cores::cores;
+use lab::largest::largest;
 use placement::points::RunContext;
 use placement::points::RunError;
 use placement::points::memory::MemoryArchive;
@@ -112,7 +114,7 @@ fn answered(study: &Study, plan: fn(&Scene) -> MeshPlan) -> Result<StudyResult, 
     let context = RunContext {
         solver: &solver,
         archive: &MemoryArchive::default(),
-        threads: std::thread::available_parallelism().map_or(1, usize::from),
+        threads: cores(),
         stop: &stop,
         pause: None,
         observer: &|_| (),
@@ -172,7 +174,7 @@ impl Judged {
         let mut judged = Self::default();
         for ((own, before), truth) in own.iter().zip(before).zip(truth) {
             let apart = [0, 1].map(|k| difference(&own[k], &before[k]));
-            let of_place = coarser.of_largest * largest(&apart.concat());
+            let of_place = coarser.of_largest * largest(apart.concat().into_iter());
             for k in 0..2 {
                 let errors = difference(&own[k], &truth[k]);
                 judged.by_place.extend(vec![of_place; errors.len()]);
@@ -196,8 +198,8 @@ impl std::fmt::Display for Judged {
         write!(
             f,
             "{:.4} | {:.4}",
-            largest(&self.errors),
-            largest(&self.by_place)
+            largest(self.errors.iter().copied()),
+            largest(self.by_place.iter().copied())
         )?;
         for claims in [&self.by_index, &self.by_place] {
             write!(
@@ -214,8 +216,4 @@ impl std::fmt::Display for Judged {
 
 fn difference(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).collect()
-}
-
-fn largest(values: &[f64]) -> f64 {
-    values.iter().copied().fold(0.0, f64::max)
 }

@@ -5,14 +5,13 @@
 mod slope_figure;
 
 use std::error::Error;
-use std::sync::atomic::AtomicBool;
 
 use fem::cell::element::Order;
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::{Readout, StartState};
-use lab::all_cores::cores;
+use lab::all_cores::on_all_cores;
+use lab::largest::largest;
 use lab::reference_tire::solve;
-use placement::points::worker_threads::in_parallel;
 use slope_figure::{Curve, Panel};
 use tire::embedded::EmbeddedSolver;
 use tire::mesh::tire_grid::MeshPlan;
@@ -26,7 +25,6 @@ const FROM_ONE: usize = 10;
 const MIDDLE: usize = 2;
 /// Depth of the other stations where P3's moves alone, mm.
 const OTHERS: f64 = 1.0;
-const LEVELS: [Level; 3] = [Level::Coarse, Level::Standard, Level::Reference];
 /// Slopes that are printed, in the order of [`Curve::slopes`].
 const READ: [&str; 3] = ["dx/dd", "dy/dd", "dF/dd"];
 
@@ -59,19 +57,18 @@ impl Moves {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let scene = Scene::preset("foot-tire").ok_or("the preset ships")?;
-    let plans: Vec<(&str, MeshPlan)> = LEVELS
+    let plans: Vec<(&str, MeshPlan)> = Level::ALL
         .iter()
+        .filter(|level| **level != Level::Draft)
         .map(|level| (level.as_str(), plan_of(&scene, *level)))
         .chain([("finer", finer(&scene))])
         .collect();
     let meshes = plans.len();
-    let stop = AtomicBool::new(false);
     // The finest meshes begin first, so that no core waits for one of them.
-    let curves = in_parallel(2 * meshes, cores(), &stop, |k| {
+    let curves = on_all_cores(2 * meshes, |k| {
         let (name, plan) = &plans[meshes - 1 - k / 2];
         curve(name, &scene, plan, Moves::BOTH[k % 2])
     });
-    let curves = curves.ok_or("nobody stops it")?;
     let mut panels = Vec::new();
     println!("| moved | mesh | {} |", READ.join(" | "));
     println!("| --- | --- |{}", " --- |".repeat(READ.len()));
@@ -154,8 +151,4 @@ fn row(own: &Curve, truth: &Curve) -> String {
         format!(" {:.1} % ({:.1} %)", 100.0 * worst, 100.0 * mean.sqrt())
     };
     [0, 1, 2].map(cell).join(" |")
-}
-
-fn largest(values: impl Iterator<Item = f64>) -> f64 {
-    values.fold(0.0, |largest: f64, value| largest.max(value.abs()))
 }
