@@ -1,6 +1,6 @@
 //! A boundary value problem, its loads and its state.
 
-use crate::cell::mesh::Mesh;
+use crate::cell::mesh::{Mesh, Surface};
 use crate::load::contact::ContactSurface;
 use crate::load::obstacle::HeightField;
 use crate::load::pressure::PressureSurface;
@@ -30,6 +30,29 @@ pub struct Problem {
     pub contact: Option<ContactSurface>,
     /// Dead forces on nodes at traction factor 1, N: they keep their direction as the body moves.
     pub dead_forces: Vec<(u32, Vector)>,
+}
+
+impl Problem {
+    /// Whether another problem has the same elements, held alike: states of one are states of the other.
+    pub fn has_elements_of(&self, other: &Self) -> bool {
+        let faces = |problem: &Self| -> [Option<Surface>; 2] {
+            let pressure = problem.pressure.as_ref().map(|p| p.surface.clone());
+            let contact = problem.contact.as_ref().map(|c| c.surface.clone());
+            [pressure, contact]
+        };
+        let carried = |problem: &Self| -> Vec<Surface> {
+            let membranes = problem.membranes.iter();
+            membranes.map(|m| m.surface.clone()).collect()
+        };
+        let net = |problem: &Self| problem.sheet.as_ref().map(|s| s.outline.control_points());
+        self.mesh.nodes.len() == other.mesh.nodes.len()
+            && self.mesh.bricks == other.mesh.bricks
+            && self.layout == other.layout
+            && self.supports == other.supports
+            && faces(self) == faces(other)
+            && carried(self) == carried(other)
+            && net(self) == net(other)
+    }
 }
 
 /// Loads of a problem.

@@ -31,6 +31,7 @@ use self::program::Program;
 use fem_client::scene::Scene;
 use fem_client::solver::Coarser;
 use fem_client::solver::gauge;
+use fem_client::solver::sides;
 use fem_client::solver::{
     Cost, Readout, SolveError, SolveRequest, Solved, Solver, StartState, by_depth_only,
 };
@@ -71,6 +72,7 @@ impl CalculixSolver {
         let mut faults = limits::faults(request.scene);
         faults.extend(by_depth_only(request.scene));
         faults.extend(gauge::faults(&request.readout.gauges, request.scene));
+        faults.extend(sides::none_of(&request.readout.derivatives));
         if !faults.is_empty() {
             return Err(SolveError::Refused { faults });
         }

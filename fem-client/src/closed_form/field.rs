@@ -141,6 +141,7 @@ impl Field {
                 .collect(),
             carcass: None,
             film: None,
+            derivatives: Vec::new(),
         }
     }
 

@@ -11,6 +11,7 @@ use std::time::{Duration, Instant};
 
 use self::field::Field;
 use crate::scene::Scene;
+use crate::solver::sides;
 use crate::solver::{
     Cost, NoEquilibrium, Reached, SolveError, SolveRequest, Solved, Solver, by_depth_only,
 };
@@ -91,7 +92,8 @@ impl Solver for ClosedFormSolver {
 
     fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
         let begun = Instant::now();
-        let faults = by_depth_only(request.scene);
+        let mut faults = by_depth_only(request.scene);
+        faults.extend(sides::none_of(&request.readout.derivatives));
         if !faults.is_empty() {
             return Err(SolveError::Refused { faults });
         }
@@ -145,6 +147,7 @@ mod tests {
             fine_deg: None,
             gauges: Vec::new(),
             films: Vec::new(),
+            derivatives: Vec::new(),
         };
         solver.solve(&SolveRequest {
             scene,

@@ -1,5 +1,6 @@
 //! The one trait between the product and any solver.
 
+pub mod derivative;
 pub mod direction;
 pub mod film_comparison;
 pub(crate) mod film_state;
@@ -7,6 +8,7 @@ pub mod gauge;
 pub mod object_schema;
 pub mod readout;
 pub mod response;
+pub mod sides;
 pub(crate) mod solve_error;
 pub(crate) mod solve_watch;
 pub(crate) mod start_state;

@@ -31,6 +31,9 @@ pub struct Readout {
     /// Films without stiffness that follow the wall: what they would read of it.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub films: Vec<Film>,
+    /// Paths of numbers of the scene by which the response is differentiated, as in `ground.depths_mm[2]`.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub derivatives: Vec<String>,
 }
 
 /// A line around the wheel.

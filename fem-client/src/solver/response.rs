@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::solver::derivative::Derivative;
 use crate::solver::direction::{CrownStretchFields, PerDirection, StrainFields};
 use crate::solver::film_state::{FilmSignal, FilmState};
 use crate::solver::gauge::GaugeReading;
@@ -53,6 +54,9 @@ pub struct Response {
     /// State of the film; absent without one.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub film: Option<FilmState>,
+    /// Derivatives by the numbers asked for, in the order asked.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub derivatives: Vec<Derivative>,
 }
 
 /// Strain at a named location.

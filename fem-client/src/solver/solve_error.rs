@@ -57,6 +57,13 @@ fn over_time(limit_s: f64, left_behind: bool) -> String {
 }
 
 impl SolveError {
+    /// Error of a solver that itself failed.
+    pub fn broken(error: impl std::fmt::Display) -> Self {
+        Self::Broken {
+            detail: error.to_string(),
+        }
+    }
+
     /// Returns the error of the mirrored ground, when asked to exchange left and right.
     pub fn mirrored(mut self, exchange: bool) -> Self {
         if let (true, Self::NoEquilibrium { reached, .. }) = (exchange, &mut self) {

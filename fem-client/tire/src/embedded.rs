@@ -6,20 +6,22 @@ use std::time::Instant;
 use fem::newton::iteration::{Effort, Newton, NewtonSettings};
 use fem::newton::path::PathReport;
 use fem::problem::{Loads, State};
-use sha2::{Digest, Sha256};
 
 use crate::mesh::tire_grid::{Extent, MeshPlan};
 use crate::mesh_error;
-use crate::model::{Place, TireModel, depth_of_load, ground, mesh_plan, mesh_plan_for, shape};
+use crate::model::{
+    TireModel, depth_of_load, extent, ground, inflated_key, mesh_plan, mesh_plan_for,
+};
 use crate::neighbourhood::{GroundPlace, Neighbourhood, Neighbourhoods, Pressed};
 use crate::omission;
 use crate::readout::surface_reader::{Diagnostics, Reader};
-use crate::session::{Session, ToldSolve, standing};
-use fem_client::hexadecimal::hexadecimal;
+use crate::session::{Session, ToldSolve, VariedScene, standing};
 use fem_client::scene::Scene;
 use fem_client::solver::Coarser;
 use fem_client::solver::Omission;
+use fem_client::solver::derivative::Derivative;
 use fem_client::solver::gauge;
+use fem_client::solver::sides;
 use fem_client::solver::{Cost, Readout, SolveError, SolveRequest, Solved, Solver, StartState};
 
 /// Largest relative residual of an equilibrium. On the reference tire it leaves 1e-8 in a strain and 1e-7 of the
@@ -75,7 +77,11 @@ impl Solver for EmbeddedSolver {
     fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
         let scene = request.scene;
         let plan = mesh_plan_for(scene, scene.model.level, request.readout);
-        self.solve_on(request, &plan)
+        let mut solved = self.solve_on(request, &plan)?;
+        let begin = Instant::now();
+        solved.response.derivatives = self.derivatives(request, &plan, &solved.state)?;
+        solved.cost.wall_s += begin.elapsed().as_secs_f64();
+        Ok(solved)
     }
 }
 
@@ -96,7 +102,30 @@ impl EmbeddedSolver {
         }
     }
 
-    /// Solves a scene on a mesh of the caller's choice.
+    fn derivatives(
+        &self,
+        request: &SolveRequest<'_>,
+        plan: &MeshPlan,
+        solved: &StartState,
+    ) -> Result<Vec<Derivative>, SolveError> {
+        let Some(varied) = VariedScene::of(request)? else {
+            return Ok(Vec::new());
+        };
+        let own = extent(request.scene);
+        // The whole tire's states aren't made of mirror images.
+        if varied.extent == own || varied.extent != Extent::Full {
+            return varied.derivatives(solved);
+        }
+        let begin = Instant::now();
+        let request = SolveRequest {
+            start: None,
+            ..*request
+        };
+        let whole = solve_afresh(&request, plan, varied.extent, self.settings, begin)?;
+        varied.derivatives(&whole.state)
+    }
+
+    /// Solves a scene on a mesh of the caller's choice, without derivatives.
     ///
     /// # Errors
     /// As [`Solver::solve`].
@@ -106,7 +135,8 @@ impl EmbeddedSolver {
         plan: &MeshPlan,
     ) -> Result<Solved, SolveError> {
         let begin = Instant::now();
-        let faults = gauge::faults(&request.readout.gauges, request.scene);
+        let mut faults = gauge::faults(&request.readout.gauges, request.scene);
+        faults.extend(sides::faults(&request.readout.derivatives, request.scene));
         if !faults.is_empty() {
             return Err(SolveError::Refused { faults });
         }
@@ -120,27 +150,11 @@ impl EmbeddedSolver {
             });
         match near {
             Some(near) => solve_near(request, &near, self.settings, begin),
-            None => solve_afresh(request, plan, self.settings, begin),
+            None => {
+                let extent = extent(request.scene);
+                solve_afresh(request, plan, extent, self.settings, begin)
+            }
         }
-    }
-}
-
-/// The smallest part of the tire that the symmetry of ground and film allows. Ground that is dragged across the wheel has none in its middle plane.
-pub fn extent(scene: &Scene) -> Extent {
-    let film = scene.film.as_ref();
-    let of_film = film.map(|film| Place::of(film, &shape(scene)).extent());
-    let ground = &scene.ground;
-    let of_ground = match (ground.shift_mm[1] == 0.0, ground.is_symmetric()) {
-        (true, true) => Extent::Quarter,
-        (true, false) => Extent::Half,
-        (false, _) => Extent::Full,
-    };
-    of_film.map_or(of_ground, |of_film| of_film.max(of_ground))
-}
-
-fn broken(error: impl std::fmt::Display) -> SolveError {
-    SolveError::Broken {
-        detail: error.to_string(),
     }
 }
 
@@ -152,7 +166,7 @@ fn solve_near(
     begin: Instant,
 ) -> Result<Solved, SolveError> {
     let newton = Newton::with_tangent(&near.model.problem, near.tangent.clone());
-    let mut newton = newton.map_err(broken)?;
+    let mut newton = newton.map_err(SolveError::broken)?;
     newton.settings = settings;
     let mut session = session(request, &near.model, newton);
     let target = session.target(&near.inflated);
@@ -163,7 +177,7 @@ fn solve_near(
     };
     let state = if mirrored {
         let image = near.model.exchanged(&pressed.state);
-        image.ok_or_else(|| broken("the mirrored state doesn't fit its mesh"))?
+        image.ok_or_else(|| SolveError::broken("the mirrored state doesn't fit its mesh"))?
     } else {
         pressed.state.clone()
     };
@@ -217,16 +231,17 @@ fn press_near(
 fn solve_afresh(
     request: &SolveRequest<'_>,
     plan: &MeshPlan,
+    extent: Extent,
     settings: NewtonSettings,
     begin: Instant,
 ) -> Result<Solved, SolveError> {
-    let model = TireModel::new(request.scene, plan, extent(request.scene));
+    let model = TireModel::new(request.scene, plan, extent);
     let newton = Newton::for_contact(
         &model.problem,
         &State::reference(&model.problem),
         &expected_contact(request.scene),
     );
-    let mut newton = newton.map_err(broken)?;
+    let mut newton = newton.map_err(SolveError::broken)?;
     newton.settings = settings;
     let start = request.start;
     let near_inflated = start.and_then(|start| model.fit(&start.inflated));
@@ -340,17 +355,4 @@ fn cost(effort: &Effort, begin: Instant) -> Cost {
         newton_iterations: effort.iterations,
         factorisations: effort.factorisations,
     }
-}
-
-/// Hash of all that determines the inflated state: the scene without its ground and contact, and the mesh.
-fn inflated_key(scene: &Scene, plan: &MeshPlan) -> String {
-    let parts = (
-        &scene.geometry,
-        &scene.material,
-        &scene.carcass,
-        &scene.film,
-        &scene.pressure,
-    );
-    let text = format!("{parts:?} {plan:?}");
-    hexadecimal(&Sha256::digest(text.as_bytes()))
 }

@@ -3,7 +3,6 @@
 //! The pressure is raised in large steps. Where they fail the volume takes over, which has an equilibrium beyond a limit
 //! point too, and tells a limit point, buckling and endless growth apart.
 
-use fem::linear::setup::SetupError;
 use fem::newton::iteration::{Cause, NewtonSettings, NotConverged};
 use fem::newton::path::Stability;
 use fem::newton::volume_control::{Ending, Inflated, VolumeControl};
@@ -58,7 +57,7 @@ impl Session<'_> {
     /// Goes on from an equilibrium at this pressure, MPa, or from the tire at rest.
     fn inflate_by_volume(&mut self, near: Option<(State, f64)>) -> Result<State, SolveError> {
         let pressure = near.as_ref().map_or(0.0, |(_, pressure)| *pressure);
-        let mut control = VolumeControl::new(&self.model.problem).map_err(broken)?;
+        let mut control = VolumeControl::new(&self.model.problem).map_err(SolveError::broken)?;
         let start = match near {
             Some((state, pressure)) => control.at(state, pressure, &self.watch),
             None => control.reference(&self.watch),
@@ -166,12 +165,6 @@ impl Session<'_> {
             ..Reached::default()
         };
         no_equilibrium(status, detail, reached, cause)
-    }
-}
-
-fn broken(error: SetupError) -> SolveError {
-    SolveError::Broken {
-        detail: error.to_string(),
     }
 }
 

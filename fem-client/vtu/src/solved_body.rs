@@ -12,9 +12,8 @@ use crate::wheel_skins::WheelSkins;
 use crate::{CellShape, DataArray, VtuGrid};
 use fem_client::scene::Scene;
 use fem_client::solver::StartState;
-use tire::embedded::extent;
 use tire::mesh::tire_grid::Extent;
-use tire::model::{TireModel, ground, mesh_plan};
+use tire::model::{TireModel, extent, ground, mesh_plan};
 
 /// A tire's mesh with its two states.
 #[derive(Debug)]

@@ -76,6 +76,16 @@ impl Setup {
         Self::with_border(problem, self.geometry.clone(), border, both).map(Some)
     }
 
+    /// Returns the set-up of a problem with the same elements, supports and border on nodes that lie elsewhere.
+    ///
+    /// # Errors
+    /// As [`Setup::new`].
+    pub(crate) fn reshaped(&self, problem: &Problem) -> Result<Self, SetupError> {
+        let geometry = Arc::new(SolidGeometry::new(&problem.mesh)?);
+        let faces = self.border_faces.clone();
+        Self::with_border(problem, geometry, border_axes(problem, &faces), faces)
+    }
+
     fn with_border(
         problem: &Problem,
         geometry: Arc<SolidGeometry>,

@@ -145,6 +145,25 @@ impl<'a> CondensedContact<'a> {
         x
     }
 
+    /// Increments x of the border with (S + f'(u)) x = `rhs`, of the points that touch at u; and how far the ground rises, mm, where its force is to grow
+    /// by `lack`, N. With w = x - d e as in `pressing_ground` that is e . f'(u) w = -lack.
+    pub(crate) fn solve_linear(&self, rhs: &Col<f64>, lack: Option<f64>) -> (Col<f64>, f64) {
+        let unknowns = rhs.nrows();
+        let mut stiffness = Mat::zeros(unknowns, unknowns);
+        self.forces(&Col::zeros(unknowns), Some(&mut stiffness));
+        let tangent = self.schur + &stiffness;
+        let held = solve_symmetric(&tangent, rhs);
+        let Some(lack) = lack else {
+            return (held, 0.0);
+        };
+        let lift = self.lift(unknowns);
+        let pushed = &stiffness * &lift;
+        let lifted = solve_symmetric(&tangent, &pushed);
+        let resistance = pushed.transpose() * (&lift - &lifted);
+        let rise = (lack + pushed.transpose() * &held) / resistance;
+        (held + faer::Scale(rise) * &lifted, rise)
+    }
+
     /// Newton's step towards the minimum of the energy, whole where that is wanted and the tangent positive definite.
     fn energy_step(
         &self,

@@ -49,7 +49,7 @@ impl CondensedContact<'_> {
     }
 
     /// Returns the vector with a one at each vertical unknown.
-    fn lift(&self, unknowns: usize) -> Col<f64> {
+    pub(super) fn lift(&self, unknowns: usize) -> Col<f64> {
         let mut lift = Col::zeros(unknowns);
         let vertical = self
             .faces

@@ -30,6 +30,13 @@ pub(crate) struct Pressing<'a> {
     pub watch: &'a dyn Watch,
 }
 
+/// The ground at a state about which contact is linear.
+pub(crate) struct LinearPressing<'a> {
+    pub ground: &'a HeightField,
+    /// Growth of the force with which it presses, N; `None` where it stands still.
+    pub lack: Option<f64>,
+}
+
 /// Tangent of everything but contact at one state, factorised.
 #[derive(Debug)]
 pub struct Tangent {
@@ -101,34 +108,70 @@ impl Tangent {
         rhs: &mut [f64],
         workspace: &mut Workspace,
     ) -> f64 {
-        let mut rise = 0.0;
+        self.around_border(rhs, workspace, |border| {
+            let Some((pressing, contact)) = pressing.and_then(|pressing| {
+                let Pressing { ground, focus, .. } = pressing;
+                let contact = CondensedContact::new(problem, &self.setup, focus, state, ground)?;
+                Some((pressing, contact))
+            }) else {
+                solve_free(&self.schur, border);
+                return 0.0;
+            };
+            let Pressing {
+                focus,
+                tolerance,
+                watch,
+                ..
+            } = pressing;
+            let reduced = focus.reduce(border);
+            let (increments, rise) = match pressing.force {
+                Some(force) => contact.solve_pressing(&reduced, force, tolerance, watch),
+                None => (contact.solve(&reduced, tolerance, watch), 0.0),
+            };
+            focus.expand(&increments, border);
+            rise
+        })
+    }
+
+    /// Solves as [`Self::solve`], with the points in contact that touch at `state`.
+    pub(crate) fn solve_linear(
+        &self,
+        problem: &Problem,
+        state: &State,
+        pressing: Option<LinearPressing<'_>>,
+        rhs: &mut [f64],
+        workspace: &mut Workspace,
+    ) -> f64 {
+        self.around_border(rhs, workspace, |border| {
+            let focus = self.focus(problem, self.setup.border_faces.clone());
+            let contact = pressing.and_then(|LinearPressing { ground, lack }| {
+                let contact = CondensedContact::new(problem, &self.setup, &focus, state, ground);
+                Some((contact?, lack))
+            });
+            let Some((contact, lack)) = contact else {
+                solve_free(&self.schur, border);
+                return 0.0;
+            };
+            let (increments, rise) = contact.solve_linear(&focus.reduce(border), lack);
+            focus.expand(&increments, border);
+            rise
+        })
+    }
+
+    /// Eliminates the interior, has the border solved if there is one, and completes the interior. Returns by how much the ground rises, mm.
+    fn around_border(
+        &self,
+        rhs: &mut [f64],
+        workspace: &mut Workspace,
+        solve: impl FnOnce(&mut [f64]) -> f64,
+    ) -> f64 {
         self.factor.eliminate(rhs, workspace);
         let border = &mut rhs[self.setup.equations.interior..];
-        if !border.is_empty() {
-            let pressed = pressing.and_then(|pressing| {
-                let Pressing { ground, focus, .. } = pressing;
-                let contact = CondensedContact::new(problem, &self.setup, focus, state, ground);
-                contact.zip(Some(pressing))
-            });
-            match pressed {
-                Some((contact, pressing)) => {
-                    let Pressing {
-                        focus,
-                        tolerance,
-                        watch,
-                        ..
-                    } = pressing;
-                    let reduced = focus.reduce(border);
-                    let increments;
-                    (increments, rise) = match pressing.force {
-                        Some(force) => contact.solve_pressing(&reduced, force, tolerance, watch),
-                        None => (contact.solve(&reduced, tolerance, watch), 0.0),
-                    };
-                    focus.expand(&increments, border);
-                }
-                None => solve_free(&self.schur, border),
-            }
-        }
+        let rise = if border.is_empty() {
+            0.0
+        } else {
+            solve(border)
+        };
         self.factor.complete(rhs, workspace);
         rise
     }

@@ -11,5 +11,6 @@ mod plane_strain;
 mod pressed_cube;
 mod pressing_ground;
 mod sphere_inflation;
+mod state_rates;
 mod stretched_cube;
 mod surface_law_contract;

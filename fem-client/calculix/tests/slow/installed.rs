@@ -21,6 +21,7 @@ static NO_READOUT: Readout = Readout {
     fine_deg: None,
     gauges: Vec::new(),
     films: Vec::new(),
+    derivatives: Vec::new(),
 };
 
 /// Difference of one integration point from mean dilatation on the same mesh of some 2 000 nodes, in programs of others: 1.2 % of the reaction, 2.2 %

@@ -130,6 +130,10 @@ pub fn split(edges: &[f64], [low, high]: [f64; 2], most: f64) -> Vec<f64> {
     cut
 }
 
+/// Layers by which a carcass may miss the middle between two boundaries and still lie there: of walls that differ a little, rounding would give some the inner and
+/// some the outer one.
+const TIE: f64 = 1e-9;
+
 /// Section radii of the boundaries of `n` layers between inner and outer radius, one of them at the carcass.
 pub fn layers(inner: f64, outer: f64, carcass: Option<f64>, n: usize) -> Vec<f64> {
     let wall = outer - inner;
@@ -138,7 +142,7 @@ pub fn layers(inner: f64, outer: f64, carcass: Option<f64>, n: usize) -> Vec<f64
         if share <= 0.0 || share >= 1.0 {
             0
         } else {
-            ((share * n as f64).round() as usize).clamp(1, n - 1)
+            ((share * n as f64 + TIE).round() as usize).clamp(1, n - 1)
         }
     });
     match carcass {
@@ -154,6 +158,16 @@ pub fn layers(inner: f64, outer: f64, carcass: Option<f64>, n: usize) -> Vec<f64
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_carcass_in_the_middle_has_the_same_layers_below_it_in_walls_of_any_thickness() {
+        for k in 0..1000 {
+            let (outer, wall) = (12.5, 3.0 + 1e-5 * f64::from(k));
+            let inner = outer - wall;
+            let rho = inner + 0.5 * wall;
+            assert_eq!(layers(inner, outer, Some(rho), 3)[2], rho, "{wall}");
+        }
+    }
 
     const EDGES: [f64; 6] = [-4.0, -2.0, 0.0, 1.0, 3.0, 6.0];
 

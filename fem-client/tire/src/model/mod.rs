@@ -6,6 +6,7 @@
 //! - `resting_ground`: the ground and how the tread meets it
 //! - `boundary_values`: the problem
 //! - `choices`: what is modelled, and what is left out
+//! - `meshed_part`: how much of it is meshed
 //! - `tire_model`: a scene ready to be solved
 //! - `mirrored_state`: its states with left and right exchanged
 
@@ -14,6 +15,7 @@ mod carcass_layer;
 mod choices;
 mod dimensions;
 mod glued_film;
+mod meshed_part;
 mod mirrored_state;
 mod resting_ground;
 mod tire_model;
@@ -21,6 +23,8 @@ mod tire_model;
 pub use carcass_layer::cord_families;
 pub use dimensions::{mesh_plan, mesh_plan_for, shape};
 pub(crate) use glued_film::{Place, following_film};
+pub use meshed_part::extent;
+pub(crate) use meshed_part::inflated_key;
 pub(crate) use resting_ground::depth_of_load;
 pub(crate) use resting_ground::load_step;
 pub use resting_ground::{DRAG_STEPS, FRICTION_STEPS, ground};

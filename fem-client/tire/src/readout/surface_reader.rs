@@ -21,6 +21,7 @@ use fem_client::solver::{
 const DEPTH_EXPONENT: f64 = 1.5;
 
 /// Diagnostics that the state doesn't show: the solver's part of a response, field by field as in [`Response`].
+#[derive(Default)]
 pub struct Diagnostics {
     /// Largest |J - 1| of an element's mean.
     pub max_volume_change: f64,
@@ -108,6 +109,7 @@ impl<'m> Reader<'m> {
                 .iter()
                 .map(|film| film_reading::following(film, self.model, states))
                 .collect(),
+            derivatives: Vec::new(),
             carcass: carcass_reading::carcass(self.scene, self.model, self.equilibrium),
             film: film_reading::glued(self.scene, self.model, states),
         }

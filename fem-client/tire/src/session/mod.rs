@@ -1,7 +1,11 @@
 //! A solve on its way: a scene's model, its Newton method, and the loads they meet.
 //!
 //! - `told_solve`: tells whoever watches how far it is
+//! - `scene_loads`: loads of a scene
+//! - `derivatives`: derivatives of its response by numbers of the scene
 
+mod derivatives;
+mod scene_loads;
 mod told_solve;
 
 use fem::load::obstacle::HeightField;
@@ -9,10 +13,13 @@ use fem::newton::iteration::Newton;
 use fem::newton::path::{PathFailure, PathReport, Stability, follow};
 use fem::problem::{Loads, State};
 
-use crate::model::{TireModel, depth_of_load, ground};
+use crate::model::{TireModel, depth_of_load};
 use fem_client::scene::Scene;
 use fem_client::solver::Stage;
 
+pub(crate) use derivatives::VariedScene;
+pub(crate) use scene_loads::standing;
+use scene_loads::{inflation, load, target};
 pub(crate) use told_solve::ToldSolve;
 
 /// A scene's model with its Newton method.
@@ -26,10 +33,7 @@ pub(crate) struct Session<'m> {
 impl Session<'_> {
     /// Loads of the inflated state.
     pub(crate) fn inflation(&self) -> Loads {
-        Loads {
-            pressure: self.scene.pressure.internal_mpa,
-            ..Loads::default()
-        }
+        inflation(self.scene)
     }
 
     pub(crate) fn follow(
@@ -49,17 +53,7 @@ impl Session<'_> {
 
     /// Loads of the scene, given its inflated state.
     pub(crate) fn target(&self, inflated: &State) -> Loads {
-        let radius = self.model.crown_radius(inflated);
-        Loads {
-            ground: Some(ground(&self.scene.ground, radius)),
-            ground_force: self.load().map(|load| load / self.model.multiplicity()),
-            ..self.inflation()
-        }
-    }
-
-    /// The force with which the ground is to press on the whole tire, N; no force is a ground that just touches.
-    fn load(&self) -> Option<f64> {
-        self.scene.ground.load_n.filter(|load| *load > 0.0)
+        target(self.scene, self.model, inflated)
     }
 
     /// An equilibrium with its loads, as the beginning of a path to other loads: on ground that presses with a force, with the one it has there.
@@ -76,7 +70,7 @@ impl Session<'_> {
     /// The inflated tire as the beginning of a path to the ground.
     pub(crate) fn above_ground(&self, inflated: &State) -> State {
         let mut state = inflated.clone();
-        if self.load().is_some() {
+        if load(self.scene).is_some() {
             state.rise = depth_of_load(self.scene);
         }
         state
@@ -108,21 +102,4 @@ impl Session<'_> {
 /// Returns the mean depth of all stations, mm.
 fn mean_depth(ground: &HeightField) -> f64 {
     ground.depths.iter().sum::<f64>() / ground.depths.len() as f64
-}
-
-/// Loads whose ground stands where it stands in a state.
-pub(crate) fn standing(loads: &Loads, state: &State) -> Loads {
-    let ground = loads.ground.as_ref().map(|ground| HeightField {
-        depths: ground
-            .depths
-            .iter()
-            .map(|depth| depth + state.rise)
-            .collect(),
-        ..ground.clone()
-    });
-    Loads {
-        ground,
-        ground_force: None,
-        ..loads.clone()
-    }
 }

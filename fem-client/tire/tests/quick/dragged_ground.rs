@@ -10,9 +10,9 @@ use fem_client::solver::gauge::Gauge;
 use fem_client::solver::{
     NoEquilibrium, Readout, Response, SolveError, SolveRequest, Solved, Solver, StartState,
 };
-use tire::embedded::{EmbeddedSolver, extent};
+use tire::embedded::EmbeddedSolver;
 use tire::mesh::tire_grid::Extent;
-use tire::model::{DRAG_STEPS, FRICTION_STEPS, TireModel, ground, mesh_plan};
+use tire::model::{DRAG_STEPS, FRICTION_STEPS, TireModel, extent, ground, mesh_plan};
 
 static RUNNING: AtomicBool = AtomicBool::new(false);
 const FRICTION: f64 = 0.5;

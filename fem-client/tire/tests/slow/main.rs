@@ -1,5 +1,6 @@
 //! The embedded solver against independent solutions and its own limits, as far as that takes seconds.
 
+mod derivatives;
 mod five_depth_study;
 mod folded_wall;
 mod glued_film;

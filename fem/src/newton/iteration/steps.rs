@@ -1,9 +1,15 @@
 //! Newton's iteration step by step, for methods that add equations of their own.
 
+use std::sync::Arc;
+use std::time::Instant;
+
 use super::{Cause, Newton};
 use crate::linear::factor::Inertia;
+use crate::linear::setup::Setup;
 use crate::linear::sparsity::Equations;
-use crate::linear::system::Imbalance;
+use crate::linear::system::{Imbalance, Residuals};
+use crate::newton::state_rate::StateRate;
+use crate::newton::tangent::LinearPressing;
 use crate::newton::watch::Watch;
 use crate::problem::{Loads, State};
 
@@ -46,6 +52,54 @@ impl Newton<'_> {
         let tangent = self.tangent.clone().ok_or(Cause::Diverged)?;
         tangent.solve(self.problem, state, None, rhs, &mut self.workspace);
         Ok(())
+    }
+
+    /// Whether there is a tangent.
+    pub(crate) fn has_tangent(&self) -> bool {
+        self.tangent.is_some()
+    }
+
+    /// The problem's set-up.
+    pub(crate) fn setup(&self) -> &Arc<Setup> {
+        &self.setup
+    }
+
+    /// Residuals that the next [`Newton::linear_step`] works on.
+    pub(crate) fn residuals_mut(&mut self) -> &mut Residuals {
+        &mut self.residuals
+    }
+
+    /// Increments by which the residuals vanish where body and contact are linear about `state`, and the ground's force grows by `lack`, N.
+    pub(crate) fn linear_step(
+        &mut self,
+        state: &State,
+        loads: &Loads,
+        lack: f64,
+    ) -> Result<StateRate, Cause> {
+        let tangent = self.tangent.clone().ok_or(Cause::Diverged)?;
+        let start = Instant::now();
+        self.rhs.copy_from_slice(&self.residuals.forces);
+        let volumes = &self.residuals.volumes;
+        self.assembler
+            .add_condensed_volumes(&tangent.coupling, volumes, &mut self.rhs);
+        for value in &mut self.rhs {
+            *value = -*value;
+        }
+        let ground = loads.ground_in(state);
+        let pressing = ground.as_ref().map(|ground| LinearPressing {
+            ground,
+            lack: loads.ground_force.map(|_| lack),
+        });
+        let (rhs, workspace) = (&mut self.rhs, &mut self.workspace);
+        let rise = tangent.solve_linear(self.problem, state, pressing, rhs, workspace);
+        self.collect_increments()?;
+        self.effort.substitution += start.elapsed();
+        self.effort.iterations += 1;
+        Ok(StateRate {
+            displacement: self.increments.clone(),
+            pressure: self.pressure_increments.clone(),
+            rise,
+        })
     }
 
     /// Applies the increments, or the largest of their halvings that inverts no element. Returns the fraction applied.

@@ -19,6 +19,7 @@ pub(crate) const SOLVE: &str = "Examples:
   strainsite solve scenes/foot-tire.toml --set pressure.internal_mpa=0.15 --set 'ground.depths_mm=[1,1,2,1,1]' --json -
   strainsite solve scenes/foot-tire.toml --set ground.load_n=13
   strainsite solve scenes/foot-tire.toml --at 0,45 --vtu tire.vtu
+  strainsite solve scenes/foot-tire.toml --derivatives ground.load_n,pressure.internal_mpa --set ground.load_n=13
   strainsite solve scenes/foot-tire.toml --set carcass=null --solver calculix";
 
 /// Examples of `gsa`.

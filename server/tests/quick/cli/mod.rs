@@ -177,6 +177,65 @@ fn one_equilibrium_is_solved_and_changed_by_its_keys() {
 }
 
 #[test]
+fn an_answer_is_differentiated_by_numbers_of_its_scene() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let solve = |further: &[&str]| {
+        let scene = ["solve", "foot-tire", "--set", "model.level=draft"];
+        strainsite(folder.path(), &[&scene, further].concat())
+    };
+    let by = "ground.depths_mm[0],pressure.internal_mpa";
+    let output = solve(&["--derivatives", by, "--json", "-"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let answer: Value = serde_json::from_slice(&output.stdout).expect("one JSON document");
+    let derivatives = answer["derivatives"].as_array().expect("a list");
+    let paths: Vec<&Value> = derivatives
+        .iter()
+        .map(|derivative| &derivative["by"])
+        .collect();
+    assert_eq!(paths, ["ground.depths_mm[0]", "pressure.internal_mpa"]);
+    let [depth, pressure] = [0, 1].map(|i| &derivatives[i]);
+    assert_eq!(depth["locations"][0]["name"], "P1");
+    // Ground that rises at one end, or a harder tire, is pressed more.
+    for derivative in [depth, pressure] {
+        assert!(
+            derivative["reaction_n"].as_f64() > Some(0.0),
+            "{derivative}"
+        );
+    }
+    let end = |location: usize| {
+        depth["locations"][location]["strain_y"]
+            .as_f64()
+            .map(f64::abs)
+    };
+    assert!(end(0) > end(4).map(|far| 10.0 * far), "{depth}");
+
+    let output = solve(&["--derivatives", by]);
+    let said = text(&output.stdout);
+    assert!(
+        said.contains("per unit of ground.depths_mm[0]: reaction "),
+        "{said}"
+    );
+
+    let rough = ["--set", "contact.friction=0.3"];
+    let refused = solve(
+        &[
+            &["--derivatives", "ground.stations,pressure.psi"],
+            &rough[..],
+        ]
+        .concat(),
+    );
+    assert_eq!(refused.status.code(), Some(2));
+    let said = text(&refused.stderr);
+    let lines: Vec<&str> = said.lines().collect();
+    assert!(lines[0].starts_with("/derivatives/0: "), "{said}");
+    assert!(
+        lines[1].starts_with("/derivatives/1: ") && lines[1].contains("pressure.psi"),
+        "{said}"
+    );
+    assert!(lines[2].starts_with("/contact/friction: "), "{said}");
+}
+
+#[test]
 fn shipped_documents_are_valid() {
     let folder = tempfile::tempdir().expect("temp dir");
     for kind in ["studies", "scenes"] {

@@ -1,4 +1,8 @@
 //! `strainsite solve`: one equilibrium of a scene.
+//!
+//! - `derivative_text`: its derivatives as text
+
+mod derivative_text;
 
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -16,6 +20,7 @@ use fem_client::solver::{
 use serde_json::{Value, json};
 use vtu::solved_body::Body;
 
+use self::derivative_text::derivative_text;
 use crate::cli::solver_option::SolverOption;
 use crate::cli::terminal::exit::Failure;
 use crate::cli::terminal::files::Files;
@@ -41,6 +46,9 @@ pub struct Solve {
     /// from the crown, and angle to the circumferential direction (0 when left out), all in degrees
     #[arg(long, value_name = "THETA,PHI[,ANGLE]", allow_hyphen_values = true)]
     at: Vec<Gauge>,
+    /// Differentiate the answer by numbers of the scene, as in ground.depths_mm[2],pressure.internal_mpa
+    #[arg(long, value_name = "KEY,...", value_delimiter = ',')]
+    derivatives: Vec<String>,
     /// Write the whole solved mesh for ParaView: displacements and stresses
     #[arg(long, value_name = "FILE")]
     vtu: Option<PathBuf>,
@@ -71,6 +79,7 @@ impl Solve {
         let stop = stop_flag(&runtime)?;
         let readout = Readout {
             gauges: self.at.clone(),
+            derivatives: self.derivatives.clone(),
             ..Readout::default()
         };
         let request = SolveRequest {
@@ -240,6 +249,7 @@ fn report(solved: &Solved, is_dragged: bool) -> String {
     for reading in &response.gauges {
         let _ = writeln!(text, "{}", gauge_row(reading));
     }
+    text.push_str(&derivative_text(&response.derivatives));
     if let Some(film) = &response.film {
         let (x, y) = (film.stretch.x, film.stretch.y);
         let _ = writeln!(
