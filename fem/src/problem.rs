@@ -35,23 +35,22 @@ pub struct Problem {
 impl Problem {
     /// Whether another problem has the same elements, held alike: states of one are states of the other.
     pub fn has_elements_of(&self, other: &Self) -> bool {
-        let faces = |problem: &Self| -> [Option<Surface>; 2] {
-            let pressure = problem.pressure.as_ref().map(|p| p.surface.clone());
-            let contact = problem.contact.as_ref().map(|c| c.surface.clone());
-            [pressure, contact]
-        };
-        let carried = |problem: &Self| -> Vec<Surface> {
-            let membranes = problem.membranes.iter();
-            membranes.map(|m| m.surface.clone()).collect()
-        };
         let net = |problem: &Self| problem.sheet.as_ref().map(|s| s.outline.control_points());
         self.mesh.nodes.len() == other.mesh.nodes.len()
             && self.mesh.bricks == other.mesh.bricks
             && self.layout == other.layout
             && self.supports == other.supports
-            && faces(self) == faces(other)
-            && carried(self) == carried(other)
+            && self.surfaces().eq(other.surfaces())
             && net(self) == net(other)
+    }
+
+    /// Surfaces under pressure and over the ground, then those of the membranes.
+    fn surfaces(&self) -> impl Iterator<Item = Option<&Surface>> {
+        let pressure = self.pressure.as_ref().map(|pressure| &pressure.surface);
+        let contact = self.contact.as_ref().map(|contact| &contact.surface);
+        let membranes = self.membranes.iter();
+        let carried = membranes.map(|membrane| Some(&membrane.surface));
+        [pressure, contact].into_iter().chain(carried)
     }
 }
 

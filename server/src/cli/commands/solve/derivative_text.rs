@@ -6,7 +6,7 @@ use fem_client::solver::derivative::Derivative;
 use serde_json::Value;
 
 /// A microstrain.
-const MICROSTRAIN: f64 = 1e-6;
+pub(super) const MICROSTRAIN: f64 = 1e-6;
 
 /// Block of lines for each derivative: per unit of the number, in the units of the report above it.
 pub(super) fn derivative_text(derivatives: &[Derivative]) -> String {

@@ -20,7 +20,7 @@ use fem_client::solver::{
 use serde_json::{Value, json};
 use vtu::solved_body::Body;
 
-use self::derivative_text::derivative_text;
+use self::derivative_text::{MICROSTRAIN, derivative_text};
 use crate::cli::solver_option::SolverOption;
 use crate::cli::terminal::exit::Failure;
 use crate::cli::terminal::files::Files;
@@ -306,8 +306,6 @@ fn with_error(value: f64, error: Option<f64>, unit: f64, decimals: usize) -> Str
     });
     format!("{:.decimals$}{error}", value / unit)
 }
-
-const MICROSTRAIN: f64 = 1e-6;
 
 fn location_row(location: &LocationStrain) -> String {
     let error = location.error;
