@@ -32,6 +32,11 @@ STUDY = {
     "signals": {"loads_n": [5, 10, 15], "films": ["coupled"], "positions": ["crown"], "directions": ["x"]},
 }
 PLAIN = {name: part for name, part in STUDY.items() if name not in ("layouts", "signals", "candidates")}
+SCENE = {
+    "scene": {"preset": "foot-tire", "model": {"level": "draft"}},
+    "gauges": [{"theta_deg": 0, "phi_deg": 45, "angle_deg": 90}],
+    "derivatives": ["pressure.internal_mpa"],
+}
 FILMS = [{"theta_deg": 0, "phi_deg": 0, "angle_deg": 90}, {"theta_deg": 60, "phi_deg": 0, "angle_deg": 0}]
 
 
@@ -112,6 +117,7 @@ def record(ask, wait):
 def record_studies(ask, wait):
     ask("POST", "/v1/studies:estimate", STUDY)
     ask("POST", "/v1/studies:preview", PLAIN)
+    ask("POST", "/v1/scenes:solve", SCENE)
     traded, study = [f"/v1/studies/{ask('POST', '/v1/studies', document)['id']}" for document in (PLAIN, STUDY)]
     wait(traded)
     ask("GET", f"{traded}/trade")

@@ -78,6 +78,30 @@ def test_a_preview_ranks_places_and_stores_nothing(client: Client, study: Study)
     assert [known.id for known in client.studies()] == before
 
 
+def test_a_scene_is_solved_with_gauges_and_derivatives(client: Client) -> None:
+    wanted = {"model.level": "draft", "pressure.internal_mpa": 0.15}
+    paths = ["ground.depths_mm[2]", "pressure.internal_mpa"]
+    solved = client.solve("foot-tire", wanted, gauges=[(0, 0, 90), (0, 45)], derivatives=paths)
+    assert solved.status == "converged"
+    assert solved.model.level == "draft"
+    across, shoulder = solved.gauges
+    assert across.strain == pytest.approx(solved.locations[2].strain_y, rel=1e-9)
+    assert shoulder.strain == pytest.approx(solved.section.shoulder.strain_x, rel=1e-9)
+    assert [derivative["by"] for derivative in solved.derivatives] == paths
+    # A central difference's own error is the square of its step.
+    sides = [client.solve("foot-tire", wanted | {"pressure.internal_mpa": 0.15 + step}) for step in (-1e-4, 1e-4)]
+    difference = (sides[1].reaction_n - sides[0].reaction_n) / 2e-4
+    assert solved.derivatives[1]["reaction_n"] == pytest.approx(difference, rel=1e-4)
+
+    with pytest.raises(strainsite.DocumentError, match="a gauge is"):
+        client.solve("foot-tire", gauges=[(0,)])
+    with pytest.raises(strainsite.DocumentError, match="neither a shipped scene"):
+        client.solve("no-tire")
+    with pytest.raises(strainsite.InvalidDocument) as caught:
+        client.solve({"preset": "foot-tire"}, {"contact.friction": 0.5}, derivatives=["pressure.internal_mpa"])
+    assert [fault.pointer for fault in caught.value.errors] == ["/scene/contact/friction"]
+
+
 def test_every_fault_of_a_document_is_named_with_its_pointer(client: Client) -> None:
     with pytest.raises(strainsite.InvalidDocument) as caught:
         client.submit(STUDY, set={"method.nodes": 0, "scene.geometry.wal_mm": 2.5})

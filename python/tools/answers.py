@@ -35,6 +35,7 @@ ANSWERS = (
     "Report",
     "Rings",
     "Sections",
+    "SolvedScene",
     "StudyResult",
     "StudySummary",
     "SweepEstimate",
@@ -55,6 +56,7 @@ NAMES = {
     "ModelSummary": "Model",  # what `model` is
     "RankedLayout": "Layout",  # an entry of `layouts`
     "RankedLocation": "Location",  # an entry of `locations`
+    "StrainFields_f64": "Strains",  # of a place, both directions
     "StudyCost": "Cost",  # what `cost` is
     # Those that do something are written by hand, on a base with their fields.
     "Comparison": "ComparisonFields",
@@ -66,6 +68,7 @@ NAMES = {
 }
 # Fields with another type and default than the description's, or None where they are left out:
 FIELDS = {
+    ("SolvedScene", "derivatives"): "tuple[dict[str, Any], ...] = ()",  # each has the answer's own fields beside `by`
     ("Preview", "map"): "dict[str, Any] | None = None",  # scripts read it by its keys
     ("StudyResult", "climb"): "dict[str, Any] | None = None",  # scripts read it by its keys
     ("StudyResult", "map"): None,  # a method, which makes arrays of what `raw` has

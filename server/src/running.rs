@@ -21,10 +21,11 @@ use crate::http::mount::Mounting;
 use crate::http::router::app;
 use crate::http::routes::answers::sent_result::Intact;
 use crate::token::{Token, TokenError};
+use service::at_once::previewer::Previewer;
+use service::at_once::scene_solver::SceneSolver;
 use service::engine::Engine;
 use service::forces::estimator_queue::{self, EstimatorQueue, FitMeans};
 use service::metrics::Metrics;
-use service::previewer::Previewer;
 use service::queue::{self, Queue};
 use service::work::memory_share::MemoryShare;
 use service::work::own_process::Start;
@@ -46,6 +47,8 @@ pub struct ServiceParts {
     pub previewer: Arc<dyn Solver>,
     /// Time that a preview may take.
     pub preview_limit: Duration,
+    /// Time that a single scene may take.
+    pub scene_limit: Duration,
     /// Starts a process that learns an estimator.
     pub learner: Start,
     /// Starts a process that analyses a model of others.
@@ -207,6 +210,12 @@ impl Service {
             parts.preview_limit,
             stopping.clone(),
         );
+        let scenes = SceneSolver::new(
+            engine.solver.clone(),
+            (limits.memory_bytes, engine.memory.clone()),
+            parts.scene_limit,
+            stopping.clone(),
+        );
         let access = Access::of(token.clone(), address.port());
         let login = access.link()?;
         let hosts = HostList::of(address, hosts);
@@ -216,6 +225,7 @@ impl Service {
             queue: queue.clone(),
             estimators: estimators.clone(),
             previewer: Arc::new(previewer),
+            scenes: Arc::new(scenes),
             analyst: Arc::new(parts.analyst),
             shutdown: stopping.clone(),
             access,

@@ -125,6 +125,13 @@ export interface components {
             /** @description Every section angle and direction. */
             candidates: components["schemas"]["CandidateFilm"][];
         };
+        /** @description Least and greatest values over the whole textile layer. */
+        CarcassState: {
+            /** @description Stretch of the fibres. */
+            fibre_stretch: components["schemas"]["Extremes"];
+            /** @description Tension along the fibres: force per reference length across a family, N/mm; negative in compression. */
+            tension_n_per_mm: components["schemas"]["Extremes"];
+        };
         /**
          * @description Certainty of a first rank, by what the order goes by; surest first. Mirror images tie by symmetry: that isn't uncertainty.
          * @enum {string}
@@ -446,6 +453,13 @@ export interface components {
             /** @description Greatest count. */
             most: number;
         };
+        /** @description Names of the inflated crown's stretches. */
+        CrownStretchFields_f64: {
+            /** Format: double */
+            crown_stretch_x: number;
+            /** Format: double */
+            crown_stretch_y: number;
+        };
         /** @description The response at the means. */
         CutPoint: {
             /** @description Input values. */
@@ -491,6 +505,13 @@ export interface components {
             film: number;
             /** @description Error of the estimates without it. */
             error: components["schemas"]["TrialError"];
+        };
+        /** @description Derivative of a response by one number of its scene. */
+        Derivative: {
+            /** @description Path of the number, as in `ground.depths_mm[2]`. */
+            by: string;
+        } & {
+            [key: string]: unknown;
         };
         /** @description Designs by where they stand. */
         DesignCounts: {
@@ -684,6 +705,19 @@ export interface components {
             /** @description Reason why there are no figures. */
             reason?: string | null;
         };
+        /** @description Least and greatest value of a field. */
+        Extremes: {
+            /**
+             * Format: double
+             * @description Least value.
+             */
+            min: number;
+            /**
+             * Format: double
+             * @description Greatest value.
+             */
+            max: number;
+        };
         /** @description A node without an equilibrium. */
         FailedNode: {
             /**
@@ -779,6 +813,49 @@ export interface components {
              */
             transfer_worst: number;
         };
+        /**
+         * @description Whether a film bears its mean tension, and its amplifier shows it.
+         * @enum {string}
+         */
+        FilmCondition: "ok" | "beyond-yield" | "saturated" | "wrinkled";
+        /** @description Estimated discretisation errors of a film, absolute: the change from the next coarser mesh, times Richardson's factor. */
+        FilmError: {
+            /**
+             * Format: double
+             * @description Error of the mean strain along.
+             */
+            mean_strain_1: number;
+            /**
+             * Format: double
+             * @description Error of the mean strain across.
+             */
+            mean_strain_2: number;
+            /**
+             * Format: double
+             * @description Error of the mean tension along, N/mm.
+             */
+            mean_tension_1_n_per_mm: number;
+            /**
+             * Format: double
+             * @description Error of the mean tension across, N/mm.
+             */
+            mean_tension_2_n_per_mm: number;
+            /**
+             * Format: double
+             * @description Error of the charge, nC.
+             */
+            charge_nc: number;
+            /**
+             * Format: double
+             * @description Error of the open circuit's voltage, V.
+             */
+            open_circuit_v: number;
+            /**
+             * Format: double
+             * @description Error of the amplifier's voltage, V.
+             */
+            output_v: number;
+        };
         /** @description Signals of every kind of film at every load of a study's layouts. */
         FilmFields: {
             /** @description Unit of the signals: `strain`, or `V` of glued films. */
@@ -864,6 +941,86 @@ export interface components {
              * @description Angle of its length to the circumferential direction, degrees: 0 is x, 90 is y.
              */
             angle_deg: number;
+        };
+        /** @description Signal that the contact adds to a film since inflation: means over its area, and what its amplifier reads of them. */
+        FilmSignal: {
+            /**
+             * Format: double
+             * @description Mean strain along: stretch relative to the inflated state minus one.
+             */
+            mean_strain_1: number;
+            /**
+             * Format: double
+             * @description Mean strain across.
+             */
+            mean_strain_2: number;
+            /**
+             * Format: double
+             * @description Mean tension along, N/mm.
+             */
+            mean_tension_1_n_per_mm: number;
+            /**
+             * Format: double
+             * @description Mean tension across, N/mm.
+             */
+            mean_tension_2_n_per_mm: number;
+            /**
+             * Format: double
+             * @description Change of curvature along, 1/mm, positive where the surface becomes more hollow towards the cavity.
+             */
+            curvature_change_1_per_mm: number;
+            /**
+             * Format: double
+             * @description Change of curvature across, 1/mm.
+             */
+            curvature_change_2_per_mm: number;
+            /**
+             * Format: double
+             * @description Charge, nC.
+             */
+            charge_nc: number;
+            /**
+             * Format: double
+             * @description Capacitance of the film, pF.
+             */
+            capacitance_pf: number;
+            /**
+             * Format: double
+             * @description Voltage where nothing draws charge, V.
+             */
+            open_circuit_v: number;
+            /**
+             * Format: double
+             * @description Amplitude at the amplifier, for presses of its frequency, V.
+             */
+            output_v: number;
+            /**
+             * Format: double
+             * @description Standard deviation of that by the amplifier's noise, the gain and the temperature, V.
+             */
+            output_std_v: number;
+            /**
+             * Format: double
+             * @description Change of the charge by a rise of the cavity's pressure, nC per kPa.
+             */
+            charge_by_pressure_nc_per_kpa: number;
+            /**
+             * Format: double
+             * @description Change of the charge by warming, nC per K.
+             */
+            charge_by_warming_nc_per_k: number;
+            /**
+             * Format: double
+             * @description Time in which the reading of a held press falls to 1/e, s; absent where it stays.
+             */
+            time_constant_s?: number | null;
+            /** @description Whether the film bears that, and the amplifier shows it. */
+            state: components["schemas"]["FilmCondition"];
+        };
+        /** @description Least and greatest values over the whole film, relative to its unstressed state in the undeformed tire. */
+        FilmState: components["schemas"]["StretchFields_Extremes"] & components["schemas"]["TensionFields_Extremes"] & components["schemas"]["FilmSignal"] & {
+            bare?: components["schemas"]["FilmSignal"] | null;
+            error?: components["schemas"]["FilmError"] | null;
         };
         /** @description Cost of a fit. */
         FitCost: {
@@ -1057,6 +1214,74 @@ export interface components {
             /** @description The first 20, in the order of time. */
             first: components["schemas"]["GapLook"][];
         };
+        /** @description A point of the inner surface and a direction there, as a strain gauge has it. */
+        Gauge: {
+            /**
+             * Format: double
+             * @description Wheel angle from the contact centre, degrees, positive in the rolling direction.
+             */
+            theta_deg: number;
+            /**
+             * Format: double
+             * @description Section angle from the crown, degrees; from bead to bead.
+             */
+            phi_deg: number;
+            /**
+             * Format: double
+             * @description Angle of the material line to the circumferential direction, drawn on the undeformed tire, degrees: 0 is x, 90 is y.
+             */
+            angle_deg: number;
+        };
+        /**
+         * @description Estimated discretisation errors, absolute: root mean square of recovered minus raw values over the faces around the
+         *     point.
+         */
+        GaugeError: {
+            /**
+             * Format: double
+             * @description Error of the strain since inflation.
+             */
+            strain: number;
+            /**
+             * Format: double
+             * @description Error of the stretch.
+             */
+            stretch: number;
+            /**
+             * Format: double
+             * @description Error of the Green-Lagrange strain.
+             */
+            green_lagrange: number;
+            /**
+             * Format: double
+             * @description Error of the von Mises stress, MPa.
+             */
+            von_mises_mpa: number;
+        };
+        /** @description Strain of a material line. */
+        GaugeReading: components["schemas"]["Gauge"] & {
+            /**
+             * Format: double
+             * @description The signal: stretch relative to the inflated state, minus one.
+             */
+            strain: number;
+            /**
+             * Format: double
+             * @description Stretch relative to the undeformed tire.
+             */
+            stretch: number;
+            /**
+             * Format: double
+             * @description Green-Lagrange strain relative to the undeformed tire, (stretch^2 - 1) / 2.
+             */
+            green_lagrange: number;
+            /**
+             * Format: double
+             * @description Von Mises stress of the rubber at the point, MPa.
+             */
+            von_mises_mpa: number;
+            error?: components["schemas"]["GaugeError"] | null;
+        };
         /**
          * @description Effect of a note on the answer; gravest first.
          * @enum {string}
@@ -1161,6 +1386,14 @@ export interface components {
             layers: components["schemas"]["MapLayer"][];
             /** @description Places of the points at the means. */
             shape: components["schemas"]["MapShape"];
+        };
+        /** @description The inflated tire before contact. */
+        Inflated: components["schemas"]["CrownStretchFields_f64"] & {
+            /**
+             * Format: double
+             * @description Outer radius at the crown, mm.
+             */
+            outer_radius_mm: number;
         };
         /** @description An input as it was understood. */
         InputReport: {
@@ -2274,6 +2507,62 @@ export interface components {
             /** @description Cost of the fit. */
             cost: components["schemas"]["FitCost"];
         };
+        /**
+         * @description Strains, forces and diagnostics of one equilibrium.
+         *
+         *     Strains are stretches relative to the inflated state minus one, on the inner surface; x circumferential,
+         *     y meridional.
+         */
+        Response: {
+            /**
+             * Format: double
+             * @description Vertical force of the ground on the whole tire, N.
+             */
+            reaction_n: number;
+            /**
+             * @description Force of the ground on the whole tire, N: along the wheel (x), along the axle (y) and upwards (z, the reaction). Friction pulls the way that the
+             *     ground is dragged. Absent where the solver doesn't tell.
+             */
+            force_n?: number[] | null;
+            /**
+             * Format: double
+             * @description Height of the ground at the contact centre above the inflated outer radius, mm.
+             */
+            depth_mm: number;
+            /** @description P1, P2, ... in order. */
+            locations: components["schemas"]["LocationStrain"][];
+            /** @description Crown, shoulder and sidewall above the contact centre. */
+            section: components["schemas"]["Section"];
+            /** @description The inflated state before contact. */
+            inflated: components["schemas"]["Inflated"];
+            /** @description Estimated discretisation errors of the readout. */
+            error: components["schemas"]["ResponseError"];
+            /**
+             * Format: double
+             * @description Largest |J - 1| of an element's mean.
+             */
+            max_volume_change: number;
+            /** @description Newton iterations of all load steps of this solve. */
+            newton_iterations: number;
+            /** @description Residual norms relative to the forces of the problem, one list per load step. */
+            residual_history: number[][];
+            /** @description Model that was solved. */
+            model: components["schemas"]["ModelSummary"];
+            /** @description Readings, one per gauge asked for, in the order asked. */
+            gauges?: components["schemas"]["GaugeReading"][];
+            carcass?: components["schemas"]["CarcassState"] | null;
+            film?: components["schemas"]["FilmState"] | null;
+            /** @description Derivatives by the numbers asked for, in the order asked. */
+            derivatives?: components["schemas"]["Derivative"][];
+        };
+        /** @description Estimated errors: absolute, of the largest reported value of each kind. */
+        ResponseError: components["schemas"]["StrainFields_f64"] & {
+            /**
+             * Format: double
+             * @description Contact penetration's share of the reaction, N.
+             */
+            reaction_n: number;
+        };
         /** @description Left-out runs that are zeroed after lifting. */
         RestedReport: {
             /**
@@ -2354,10 +2643,28 @@ export interface components {
             /** @description Indices of the locations, in the order of their names. */
             indices: components["schemas"]["Index"][];
         };
+        /** @description A scene to be solved once, and what is read of it. */
+        SceneQuestionDocument: {
+            /** @description The scene: its tables, or a shipped one with changes, as `{"preset": "foot-tire"}`. */
+            scene: components["schemas"]["ChangedSceneDocument"] | string;
+            /** @description Points of the inner surface where the strain is read, each along a direction. */
+            gauges?: components["schemas"]["GaugeDocument"][];
+            /** @description Numbers of the scene by which the answer is differentiated, by path, as `ground.depths_mm[2]`. */
+            derivatives?: string[];
+        };
         /** @description Layouts with their scores. */
         ScoredLayouts: {
             /** @description Layouts in the order of the request. */
             layouts: components["schemas"]["RankedLayout"][];
+        };
+        /** @description Strains over the section above the contact centre. */
+        Section: {
+            /** @description 0 degrees from the crown. */
+            crown: components["schemas"]["StrainFields_f64"];
+            /** @description 45 degrees from the crown. */
+            shoulder: components["schemas"]["StrainFields_f64"];
+            /** @description 90 degrees from the crown. */
+            sidewall: components["schemas"]["StrainFields_f64"];
         };
         /** @description A solved node. */
         SectionNode: {
@@ -2703,6 +3010,22 @@ export interface components {
              */
             residual?: number | null;
         };
+        /**
+         * @description Equilibrium of a scene.
+         *
+         *     Strains are stretches relative to the inflated state minus one, on the inner surface; x circumferential, y meridional.
+         */
+        SolvedScene: components["schemas"]["Response"] & {
+            /** @description Status: `converged`. */
+            status: string;
+            /**
+             * Format: double
+             * @description Time of the solve, s.
+             */
+            wall_s: number;
+            /** @description Values that are unlikely in the scene or at its film's amplifier, whole sentences. */
+            unlikely: string[];
+        };
         /** @description The chosen model on rows that were left out by one split. */
         SplitError: {
             /** @description The split: `random` readings of the begin of one run, whose neighbours are learnt from; later `time`; whole `run`s or `cycle`s. */
@@ -2807,6 +3130,13 @@ export interface components {
          * @enum {string}
          */
         State: "queued" | "running" | "done" | "failed" | "cancelled";
+        /** @description Names of strains and their errors. */
+        StrainFields_f64: {
+            /** Format: double */
+            strain_x: number;
+            /** Format: double */
+            strain_y: number;
+        };
         /** @description Signals around the wheel at one load, of one kind of film: strains, or volts of glued films. */
         StrainRing: {
             /**
@@ -2881,6 +3211,35 @@ export interface components {
             r2?: number | null;
             /** @description Reason why numbers are null. */
             reason?: string | null;
+        };
+        /** @description Names of a film's stretches. */
+        StretchFields_Extremes: {
+            /** @description Least and greatest value of a field. */
+            stretch_x: {
+                /**
+                 * Format: double
+                 * @description Least value.
+                 */
+                min: number;
+                /**
+                 * Format: double
+                 * @description Greatest value.
+                 */
+                max: number;
+            };
+            /** @description Least and greatest value of a field. */
+            stretch_y: {
+                /**
+                 * Format: double
+                 * @description Least value.
+                 */
+                min: number;
+                /**
+                 * Format: double
+                 * @description Greatest value.
+                 */
+                max: number;
+            };
         };
         /** @description Cost of a study. */
         StudyCost: {
@@ -3221,6 +3580,35 @@ export interface components {
          * @enum {string}
          */
         Taken: "time" | "force" | "signal" | "cycle" | "nothing";
+        /** @description Names of a film's tensions. */
+        TensionFields_Extremes: {
+            /** @description Least and greatest value of a field. */
+            tension_x_n_per_mm: {
+                /**
+                 * Format: double
+                 * @description Least value.
+                 */
+                min: number;
+                /**
+                 * Format: double
+                 * @description Greatest value.
+                 */
+                max: number;
+            };
+            /** @description Least and greatest value of a field. */
+            tension_y_n_per_mm: {
+                /**
+                 * Format: double
+                 * @description Least value.
+                 */
+                min: number;
+                /**
+                 * Format: double
+                 * @description Greatest value.
+                 */
+                max: number;
+            };
+        };
         /**
          * @description The part of a result that a note is about.
          * @enum {string}
@@ -5090,6 +5478,18 @@ export interface components {
              */
             tolerance: number;
         };
+        /** @description A point of the inner surface and a direction there, as a strain gauge has it. */
+        GaugeDocument: {
+            /** @description Wheel angle from the contact centre, degrees, positive in the rolling direction. */
+            theta_deg: number;
+            /** @description Section angle from the crown, degrees; from bead to bead. */
+            phi_deg: number;
+            /**
+             * @description Angle of the material line to the circumferential direction, drawn on the undeformed tire, degrees: 0 is x, 90 is y.
+             * @default 0
+             */
+            angle_deg: number;
+        };
         /** @description Method that computes the indices. */
         AnalysisMethodDocument: {
             /**
@@ -5152,6 +5552,7 @@ export type AskewError = components['schemas']['AskewError'];
 export type BeginningsReport = components['schemas']['BeginningsReport'];
 export type CandidateFilm = components['schemas']['CandidateFilm'];
 export type Candidates = components['schemas']['Candidates'];
+export type CarcassState = components['schemas']['CarcassState'];
 export type Certainty = components['schemas']['Certainty'];
 export type Choice = components['schemas']['Choice'];
 export type Claim = components['schemas']['Claim'];
@@ -5171,9 +5572,11 @@ export type ComparisonAnswer = components['schemas']['ComparisonAnswer'];
 export type ComparisonFormat = components['schemas']['ComparisonFormat'];
 export type ComparisonTable = components['schemas']['ComparisonTable'];
 export type CountForecast = components['schemas']['CountForecast'];
+export type CrownStretchFields_f64 = components['schemas']['CrownStretchFields_f64'];
 export type CutPoint = components['schemas']['CutPoint'];
 export type DeadFilm = components['schemas']['DeadFilm'];
 export type DeadFilmError = components['schemas']['DeadFilmError'];
+export type Derivative = components['schemas']['Derivative'];
 export type DesignCounts = components['schemas']['DesignCounts'];
 export type DesignEstimate = components['schemas']['DesignEstimate'];
 export type DesignView = components['schemas']['DesignView'];
@@ -5189,6 +5592,7 @@ export type EstimatorZero = components['schemas']['EstimatorZero'];
 export type EvaluationView = components['schemas']['EvaluationView'];
 export type Evaluations = components['schemas']['Evaluations'];
 export type ExpectedAccuracy = components['schemas']['ExpectedAccuracy'];
+export type Extremes = components['schemas']['Extremes'];
 export type FailedNode = components['schemas']['FailedNode'];
 export type FailedPoint = components['schemas']['FailedPoint'];
 export type Fault = components['schemas']['Fault'];
@@ -5197,12 +5601,16 @@ export type FidelityReport = components['schemas']['FidelityReport'];
 export type FieldLoad = components['schemas']['FieldLoad'];
 export type FileFormat = components['schemas']['FileFormat'];
 export type FilmAnglesReport = components['schemas']['FilmAnglesReport'];
+export type FilmCondition = components['schemas']['FilmCondition'];
+export type FilmError = components['schemas']['FilmError'];
 export type FilmFields = components['schemas']['FilmFields'];
 export type FilmKindPlace = components['schemas']['FilmKindPlace'];
 export type FilmModel = components['schemas']['FilmModel'];
 export type FilmNoise = components['schemas']['FilmNoise'];
 export type FilmPair = components['schemas']['FilmPair'];
 export type FilmPlace = components['schemas']['FilmPlace'];
+export type FilmSignal = components['schemas']['FilmSignal'];
+export type FilmState = components['schemas']['FilmState'];
 export type FitCost = components['schemas']['FitCost'];
 export type FitEstimate = components['schemas']['FitEstimate'];
 export type FitProgress = components['schemas']['FitProgress'];
@@ -5217,6 +5625,9 @@ export type FrontLayout = components['schemas']['FrontLayout'];
 export type FurtherDesignsDocument = components['schemas']['FurtherDesignsDocument'];
 export type GapLook = components['schemas']['GapLook'];
 export type GapsLook = components['schemas']['GapsLook'];
+export type Gauge = components['schemas']['Gauge'];
+export type GaugeError = components['schemas']['GaugeError'];
+export type GaugeReading = components['schemas']['GaugeReading'];
 export type Grade = components['schemas']['Grade'];
 export type GradedNote = components['schemas']['GradedNote'];
 export type HandFilm = components['schemas']['HandFilm'];
@@ -5227,6 +5638,7 @@ export type Holds = components['schemas']['Holds'];
 export type Index = components['schemas']['Index'];
 export type IndexError = components['schemas']['IndexError'];
 export type IndexMap = components['schemas']['IndexMap'];
+export type Inflated = components['schemas']['Inflated'];
 export type InputReport = components['schemas']['InputReport'];
 export type InputShare = components['schemas']['InputShare'];
 export type InputsAnswer = components['schemas']['InputsAnswer'];
@@ -5283,11 +5695,15 @@ export type RecordingFigures = components['schemas']['RecordingFigures'];
 export type RecordingLook = components['schemas']['RecordingLook'];
 export type RecordingSeries = components['schemas']['RecordingSeries'];
 export type Report = components['schemas']['Report'];
+export type Response = components['schemas']['Response'];
+export type ResponseError = components['schemas']['ResponseError'];
 export type RestedReport = components['schemas']['RestedReport'];
 export type RingLoad = components['schemas']['RingLoad'];
 export type Rings = components['schemas']['Rings'];
 export type Rung = components['schemas']['Rung'];
+export type SceneQuestionDocument = components['schemas']['SceneQuestionDocument'];
 export type ScoredLayouts = components['schemas']['ScoredLayouts'];
+export type Section = components['schemas']['Section'];
 export type SectionNode = components['schemas']['SectionNode'];
 export type Sections = components['schemas']['Sections'];
 export type ShearError = components['schemas']['ShearError'];
@@ -5301,15 +5717,18 @@ export type Signals = components['schemas']['Signals'];
 export type SignalsAnswer = components['schemas']['SignalsAnswer'];
 export type SolveForecast = components['schemas']['SolveForecast'];
 export type SolveProgress = components['schemas']['SolveProgress'];
+export type SolvedScene = components['schemas']['SolvedScene'];
 export type SplitError = components['schemas']['SplitError'];
 export type SplitKind = components['schemas']['SplitKind'];
 export type SplitReport = components['schemas']['SplitReport'];
 export type SplitReports = components['schemas']['SplitReports'];
 export type Stage = components['schemas']['Stage'];
 export type State = components['schemas']['State'];
+export type StrainFields_f64 = components['schemas']['StrainFields_f64'];
 export type StrainRing = components['schemas']['StrainRing'];
 export type StreamEvent = components['schemas']['StreamEvent'];
 export type StressWidth = components['schemas']['StressWidth'];
+export type StretchFields_Extremes = components['schemas']['StretchFields_Extremes'];
 export type StudyCost = components['schemas']['StudyCost'];
 export type StudyDetail = components['schemas']['StudyDetail'];
 export type StudyDocument = components['schemas']['StudyDocument'];
@@ -5327,6 +5746,7 @@ export type Table = components['schemas']['Table'];
 export type TableError = components['schemas']['TableError'];
 export type TableReport = components['schemas']['TableReport'];
 export type Taken = components['schemas']['Taken'];
+export type TensionFields_Extremes = components['schemas']['TensionFields_Extremes'];
 export type Topic = components['schemas']['Topic'];
 export type Trade = components['schemas']['Trade'];
 export type TradeAnswer = components['schemas']['TradeAnswer'];
@@ -5385,6 +5805,7 @@ export type ValidationDocument = components['schemas']['ValidationDocument'];
 export type InputsDocument = components['schemas']['InputsDocument'];
 export type ModelInputDocument = components['schemas']['ModelInputDocument'];
 export type ModelMethodDocument = components['schemas']['ModelMethodDocument'];
+export type GaugeDocument = components['schemas']['GaugeDocument'];
 export type AnalysisMethodDocument = components['schemas']['AnalysisMethodDocument'];
 export type ListedValuesDocument = components['schemas']['ListedValuesDocument'];
 export type $defs = Record<string, never>;

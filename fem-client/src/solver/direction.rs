@@ -131,12 +131,16 @@ impl<T> From<PerDirection<T>> for [T; 2] {
 macro_rules! direction_fields {
     ($($(#[$doc:meta])* $name:ident: $x:literal, $y:literal;)*) => {$(
         $(#[$doc])*
-        #[derive(serde::Serialize, serde::Deserialize)]
+        #[derive(serde::Serialize, serde::Deserialize, utoipa::ToSchema)]
         #[serde(remote = "PerDirection")]
         pub struct $name<T> {
+            /// Circumferential.
             #[serde(rename = $x)]
+            #[schema(rename = $x)]
             x: T,
+            /// Meridional.
             #[serde(rename = $y)]
+            #[schema(rename = $y)]
             y: T,
         }
     )*};
@@ -210,5 +214,15 @@ mod tests {
             .into_iter()
             .collect();
         assert_eq!((lists.x, lists.y), (vec![1, 2], vec![-1, -2]));
+    }
+
+    #[test]
+    fn a_value_per_direction_is_described_by_the_names_of_its_fields() {
+        use utoipa::PartialSchema;
+        let schema = serde_json::to_value(StrainFields::<f64>::schema()).expect("a schema");
+        assert_eq!(
+            schema["required"],
+            serde_json::json!(["strain_x", "strain_y"])
+        );
     }
 }

@@ -8,13 +8,15 @@ use crate::solver::direction::{PerDirection, StretchFields, TensionFields};
 use crate::solver::value_range::Extremes;
 
 /// Least and greatest values over the whole film, relative to its unstressed state in the undeformed tire.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct FilmState {
     /// Stretch.
     #[serde(flatten, with = "StretchFields")]
+    #[schema(value_type = StretchFields<Extremes>)]
     pub stretch: PerDirection<Extremes>,
     /// Tension (second Piola-Kirchhoff), N/mm.
     #[serde(flatten, with = "TensionFields")]
+    #[schema(value_type = TensionFields<Extremes>)]
     pub tension_n_per_mm: PerDirection<Extremes>,
     /// Signal that the contact adds.
     #[serde(flatten)]
@@ -28,7 +30,7 @@ pub struct FilmState {
 }
 
 /// Estimated discretisation errors of a film, absolute: the change from the next coarser mesh, times Richardson's factor.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct FilmError {
     /// Error of the mean strain along.
     pub mean_strain_1: f64,
@@ -47,7 +49,7 @@ pub struct FilmError {
 }
 
 /// Signal that the contact adds to a film since inflation: means over its area, and what its amplifier reads of them.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct FilmSignal {
     /// Mean strain along: stretch relative to the inflated state minus one.
     pub mean_strain_1: f64,
@@ -83,7 +85,7 @@ pub struct FilmSignal {
 }
 
 /// Whether a film bears its mean tension, and its amplifier shows it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, utoipa::ToSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum FilmCondition {
     /// An elastic film.

@@ -5,22 +5,26 @@ use std::str::FromStr;
 use serde::{Deserialize, Serialize};
 
 use crate::scene::Scene;
+use document::Table;
 use document::fault::{Fault, entry, member};
 use document::fields::Range;
 
 /// A point of the inner surface and a direction there, as a strain gauge has it.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, Table, utoipa::ToSchema)]
 pub struct Gauge {
     /// Wheel angle from the contact centre, degrees, positive in the rolling direction.
+    #[field(required = "a wheel angle, degrees", within = TURN)]
     pub theta_deg: f64,
-    /// Section angle from the crown, degrees.
+    /// Section angle from the crown, degrees; from bead to bead.
+    #[field(required = "a section angle, degrees", within = SECTION)]
     pub phi_deg: f64,
     /// Angle of the material line to the circumferential direction, drawn on the undeformed tire, degrees: 0 is x, 90 is y.
+    #[field(default = 0.0, within = TURN)]
     pub angle_deg: f64,
 }
 
 /// Strain of a material line.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct GaugeReading {
     /// Place and direction of the gauge.
     #[serde(flatten)]
@@ -40,7 +44,7 @@ pub struct GaugeReading {
 
 /// Estimated discretisation errors, absolute: root mean square of recovered minus raw values over the faces around the
 /// point.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct GaugeError {
     /// Error of the strain since inflation.
     pub strain: f64,
@@ -83,9 +87,11 @@ impl FromStr for Gauge {
     }
 }
 
+const TURN: Range = Range::new(-360.0, 360.0, "degrees");
+const SECTION: Range = Range::new(-180.0, 180.0, "degrees");
+
 /// Every gauge that lies off the scene's inner surface, or isn't finite.
 pub fn faults(gauges: &[Gauge], scene: &Scene) -> Vec<Fault> {
-    const TURN: Range = Range::new(-360.0, 360.0, "degrees");
     let bead = scene.geometry.bead_angle_deg;
     let mut faults = Vec::new();
     for (i, gauge) in gauges.iter().enumerate() {

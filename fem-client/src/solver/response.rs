@@ -12,7 +12,7 @@ use crate::solver::value_range::Extremes;
 ///
 /// Strains are stretches relative to the inflated state minus one, on the inner surface; x circumferential,
 /// y meridional.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct Response {
     /// Vertical force of the ground on the whole tire, N.
     pub reaction_n: f64,
@@ -39,14 +39,17 @@ pub struct Response {
     /// Model that was solved.
     pub model: ModelSummary,
     /// The dense map, when asked for.
+    #[schema(ignore)]
     pub map: Option<StrainMap>,
     /// Rings, one per position asked for, in the order asked.
+    #[schema(ignore)]
     pub rings: Vec<Ring>,
     /// Readings, one per gauge asked for, in the order asked.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub gauges: Vec<GaugeReading>,
     /// Signals of the films without stiffness that were asked for, in the order asked.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    #[schema(ignore)]
     pub films: Vec<FilmSignal>,
     /// State of the textile layer; absent without one.
     #[serde(skip_serializing_if = "Option::is_none", default)]
@@ -87,7 +90,7 @@ pub struct LocationError {
 }
 
 /// Least and greatest values over the whole textile layer.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct CarcassState {
     /// Stretch of the fibres.
     pub fibre_stretch: Extremes,
@@ -96,36 +99,41 @@ pub struct CarcassState {
 }
 
 /// Strains over the section above the contact centre.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct Section {
     /// 0 degrees from the crown.
     #[serde(with = "StrainFields")]
+    #[schema(value_type = StrainFields<f64>)]
     pub crown: PerDirection<f64>,
     /// 45 degrees from the crown.
     #[serde(with = "StrainFields")]
+    #[schema(value_type = StrainFields<f64>)]
     pub shoulder: PerDirection<f64>,
     /// 90 degrees from the crown.
     #[serde(with = "StrainFields")]
+    #[schema(value_type = StrainFields<f64>)]
     pub sidewall: PerDirection<f64>,
 }
 
 /// The inflated tire before contact.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct Inflated {
     /// Outer radius at the crown, mm.
     pub outer_radius_mm: f64,
     /// Stretch at the crown's inner surface.
     #[serde(flatten, with = "CrownStretchFields")]
+    #[schema(value_type = CrownStretchFields<f64>)]
     pub crown_stretch: PerDirection<f64>,
 }
 
 /// Estimated errors: absolute, of the largest reported value of each kind.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct ResponseError {
     /// Contact penetration's share of the reaction, N.
     pub reaction_n: f64,
     /// Largest error of the strain at P1-P5.
     #[serde(flatten, with = "StrainFields")]
+    #[schema(value_type = StrainFields<f64>)]
     pub strain: PerDirection<f64>,
 }
 

@@ -14,9 +14,9 @@ const STEP: f64 = 1e-5;
 
 /// Fields of a response that don't follow from its equilibrium alone, or say where something is read.
 const NOT_DERIVED: [&str; 9] = [
+    "angle_deg",
     "derivatives",
     "error",
-    "gauge",
     "max_volume_change",
     "model",
     "phi_deg",
@@ -150,10 +150,13 @@ mod tests {
     #[test]
     fn numbers_are_differenced_and_names_stay() {
         let low = json!({"reaction_n": 1.0, "newton_iterations": 3, "residual_history": [[1.0], [0.5, 0.1]],
-            "locations": [{"name": "P1", "theta_deg": 5.0, "strain_x": 0.25, "error": {"strain_x": 1.0}}]});
+            "locations": [{"name": "P1", "theta_deg": 5.0, "strain_x": 0.25, "error": {"strain_x": 1.0}}],
+            "gauges": [{"theta_deg": 0.0, "phi_deg": 5.0, "angle_deg": 90.0, "strain": 0.5}]});
         let high = json!({"reaction_n": 2.0, "newton_iterations": 4, "residual_history": [[1.0]],
-            "locations": [{"name": "P1", "theta_deg": 5.5, "strain_x": 0.5, "error": {"strain_x": 2.0}}]});
-        let expected = json!({"reaction_n": 2.0, "locations": [{"name": "P1", "strain_x": 0.5}]});
+            "locations": [{"name": "P1", "theta_deg": 5.5, "strain_x": 0.5, "error": {"strain_x": 2.0}}],
+            "gauges": [{"theta_deg": 0.0, "phi_deg": 5.0, "angle_deg": 90.0, "strain": 1.0}]});
+        let expected = json!({"reaction_n": 2.0, "locations": [{"name": "P1", "strain_x": 0.5}],
+            "gauges": [{"strain": 1.0}]});
         assert_eq!(difference(&low, &high, 0.5), Some(expected));
     }
 

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 /// Least and greatest value of a field.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct Extremes {
     /// Least value.
     pub min: f64,

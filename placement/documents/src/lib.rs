@@ -8,6 +8,7 @@
 //! - [`rig`]: a virtual rig
 //! - [`study`]: the study document, and the design points that follow from it
 //! - [`sweep`]: designs of one study
+//! - [`scene_question`]: a scene to be solved once, and what is read of it
 //! - [`own_model`]: inputs and outputs of models that others run
 //! - [`schemas`]: JSON Schemas of all of them
 
@@ -15,6 +16,7 @@ pub mod layouts;
 pub mod own_model;
 pub mod parts;
 pub mod rig;
+pub mod scene_question;
 pub mod schemas;
 pub mod signals;
 pub mod study;

@@ -5,6 +5,7 @@
 
 mod accuracy;
 mod estimated_cost;
+mod lone_memory;
 mod next_level;
 mod pace;
 mod peak_memory;
@@ -12,6 +13,7 @@ mod solve_time;
 mod workload;
 
 pub use self::estimated_cost::estimate;
+pub use self::lone_memory::solve_memory_bytes;
 pub use self::next_level::NextLevel;
 pub use self::pace::Pace;
 pub use self::solve_time::{Machine, Sample};

@@ -7,7 +7,7 @@ use super::solve_time::{How, Machine};
 use super::workload::{Point, Stage, Workload};
 
 /// The program without a study, bytes.
-const PROGRAM: f64 = 30e6;
+pub(super) const PROGRAM: f64 = 30e6;
 /// A point's response, and its row on the way to the database, without its numbers, bytes.
 const RESPONSE: f64 = 60e3;
 /// A number read of one point: the response's, the row's, and those of the analysis, bytes.

@@ -12,7 +12,7 @@ use fem_client::scene::{Film, Level, Scene};
 use fem_client::solver::{Readout, Solver};
 
 /// Cells of the draft mesh of the reference tire.
-const CELLS: f64 = 300.0;
+pub(super) const CELLS: f64 = 300.0;
 /// Inflating and pressing from nothing: s on the draft mesh, exponent.
 const AFRESH: (f64, f64) = (0.045, 1.29);
 /// Law of a solve from a neighbouring equilibrium with its tangent.

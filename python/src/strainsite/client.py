@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 from urllib.parse import quote
 
 from . import documents
-from .answers._generated import Estimate, EstimatorSummary, Look, Presets, Preview, StudySummary, SweepEstimate
+from .answers._generated import Estimate, EstimatorSummary, Look, Presets, Preview, SolvedScene, StudySummary, SweepEstimate
 from .answers.comparison import Comparison
 from .answers.reading import read
 from .connection.download import download
@@ -114,18 +114,25 @@ class Client:
             DocumentError: A file can't be read, or a path doesn't fit.
 
         """
+        return self._changed("study", document, set)
+
+    def _changed(
+        self, kind: Literal["study", "scene"], document: Document, set: Mapping[str, Any] | None
+    ) -> dict[str, Any]:
         if isinstance(document, str) and not documents.is_file(document):
-            return documents.changed(self._preset(document), set)
+            return documents.changed(self._preset(kind, document), set)
         if isinstance(document, str | os.PathLike):
             return documents.changed(documents.from_file(document), set)
         return documents.changed(document, set)
 
-    def _preset(self, name: str) -> dict[str, Any]:
-        known = {preset.name: preset.document for preset in self.presets().studies}
+    def _preset(self, kind: Literal["study", "scene"], name: str) -> dict[str, Any]:
+        presets = self.presets()
+        shipped = presets.studies if kind == "study" else presets.scenes
+        known = {preset.name: preset.document for preset in shipped}
         if name not in known:
             names = ", ".join(sorted(known))
             raise DocumentError(
-                f"{name!r} is neither a shipped study ({names}) nor a file: files end with .toml or .json"
+                f"{name!r} is neither a shipped {kind} ({names}) nor a file: files end with .toml or .json"
             )
         return known[name]
 
@@ -177,6 +184,37 @@ class Client:
 
         """
         return read(Preview, self._transport.post("/v1/studies:preview", self.document(document, set)))
+
+    def solve(
+        self,
+        scene: Document,
+        set: Mapping[str, Any] | None = None,
+        *,
+        gauges: Iterable[Sequence[float]] = (),
+        derivatives: Iterable[str] = (),
+    ) -> SolvedScene:
+        """One equilibrium of a scene, solved at once; nothing is stored.
+
+        Args:
+            scene: A scene as a mapping; a TOML or JSON file; or the name of a shipped scene.
+            set: Fields to change, by path: `{"geometry.wall_mm": 2.5, "model.level": "coarse"}`; as for `document`.
+            gauges: Points of the inner surface where the strain is read: `(theta, phi)` or `(theta, phi, angle)`,
+                degrees. Theta is the wheel angle from the contact, phi the section angle from the crown, the angle
+                that to the circumferential direction.
+            derivatives: Numbers of the scene by which the answer is differentiated, by path: `"ground.depths_mm[2]"`.
+
+        Raises:
+            DocumentError: Nothing was sent: a file can't be read, or a path or a gauge doesn't fit.
+            InvalidDocument: The scene has faults, all of which it names; or no equilibrium; or takes too much memory.
+            ProblemError: It took longer than 80 s, with those before it (503).
+
+        """
+        question = {
+            "scene": self._changed("scene", scene, set),
+            "gauges": [_gauge(place) for place in gauges],
+            "derivatives": list(derivatives),
+        }
+        return read(SolvedScene, self._transport.post("/v1/scenes:solve", question))
 
     def study(self, id: str) -> Study:
         """The study of this identifier.
@@ -420,6 +458,13 @@ def _recordings(runs: Sequence[Run] | Mapping[str, Run]) -> list[dict[str, str]]
     if not recordings:
         raise DocumentError("there is nothing to learn from: give at least one recording")
     return recordings
+
+
+def _gauge(place: Sequence[float]) -> dict[str, float]:
+    names = ("theta_deg", "phi_deg", "angle_deg")
+    if not 2 <= len(place) <= len(names):
+        raise DocumentError(f"a gauge is (theta, phi) or (theta, phi, angle), degrees; it is {tuple(place)}")
+    return {name: float(angle) for name, angle in zip(names, place, strict=False)}
 
 
 def _part(identifier: str) -> str:

@@ -10,13 +10,14 @@
 //! - [`metrics`]: what is counted and measured
 //! - `database_archive`: the database as the place where solved points are kept
 //! - [`forecast`]: what a study would cost
-//! - [`previewer`]: places at once, for somebody who writes a document
+//! - [`at_once`]: previews and single scenes, beside the queue
 //! - [`engine`]: runs one study from its document to its end
 //! - [`queue`]: the queue of studies; sweeps; removal
 //! - [`comparison`]: studies side by side
 //! - [`forces`]: forces from recordings
 //! - [`export`]: answers as tables for other programs
 
+pub mod at_once;
 pub mod comparison;
 pub(crate) mod database_archive;
 pub mod engine;
@@ -24,7 +25,6 @@ pub mod export;
 pub mod forces;
 pub mod forecast;
 pub mod metrics;
-pub mod previewer;
 pub mod queue;
 pub mod solving;
 pub mod study_document;

@@ -3,10 +3,11 @@
 use std::sync::Arc;
 
 use axum::extract::FromRef;
+use service::at_once::previewer::Previewer;
+use service::at_once::scene_solver::SceneSolver;
 use service::engine::Engine;
 use service::forces::estimator_queue::EstimatorQueue;
 use service::metrics::Metrics;
-use service::previewer::Previewer;
 use service::queue::Queue;
 use service::work::own_process::Start;
 use service::work::shutdown::Shutdown;
@@ -30,6 +31,8 @@ pub struct AppState {
     pub estimators: Arc<EstimatorQueue>,
     /// Solves previews beside it.
     pub previewer: Arc<Previewer>,
+    /// Solves single scenes beside it.
+    pub scenes: Arc<SceneSolver>,
     /// Starts processes that analyse models of others.
     pub analyst: Arc<Start>,
     /// Memory that a study may take, bytes.

@@ -75,10 +75,10 @@ impl Home {
         started(parts).await.expect("the service starts")
     }
 
-    /// A service that gives a preview so long.
-    pub async fn start_with_previews_of(&self, limit: Duration, solver: Arc<dyn Solver>) -> App {
+    /// A service that gives a preview so long, and a single scene.
+    pub async fn start_with_limit(&self, limit: Duration, solver: Arc<dyn Solver>) -> App {
         let mut parts = parts(self.database(), solver);
-        parts.preview_limit = limit;
+        (parts.preview_limit, parts.scene_limit) = (limit, limit);
         started(parts).await.expect("the service starts")
     }
 
@@ -103,6 +103,7 @@ fn parts(database: PathBuf, solver: Arc<dyn Solver>) -> ServiceParts {
         database,
         previewer: solver.clone(),
         preview_limit: PATIENCE,
+        scene_limit: PATIENCE,
         solver,
         learner: Box::new(|| program(fit_process::ARGUMENT)),
         analyst: Box::new(|| program(analysis_process::ARGUMENT)),
@@ -120,7 +121,7 @@ async fn started(parts: ServiceParts) -> Result<App, StartError> {
 }
 
 /// The program, which works for its parent.
-fn program(argument: &str) -> Command {
+pub fn program(argument: &str) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_strainsite"));
     command.arg(argument);
     command

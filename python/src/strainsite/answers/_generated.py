@@ -15,6 +15,7 @@ __all__ = [
     "BeginningsReport",
     "Candidate",
     "Candidates",
+    "CarcassState",
     "Choice",
     "Claim",
     "CoarserIndices",
@@ -42,11 +43,15 @@ __all__ = [
     "EstimatorZero",
     "Evaluation",
     "ExpectedAccuracy",
+    "Extremes",
     "FailedNode",
     "FailedPoint",
     "FilmAnglesReport",
+    "FilmError",
     "FilmPair",
     "FilmPlace",
+    "FilmSignal",
+    "FilmState",
     "FitCost",
     "FitEstimate",
     "FitProgress",
@@ -58,7 +63,10 @@ __all__ = [
     "FrontLayout",
     "GapLook",
     "GapsLook",
+    "GaugeError",
+    "GaugeReading",
     "GradedNote",
+    "Inflated",
     "Input",
     "InputShare",
     "InputsAnswer",
@@ -99,9 +107,11 @@ __all__ = [
     "RecordingFigures",
     "RecordingLook",
     "RecordingSeries",
+    "ResponseError",
     "RestedReport",
     "RingLoad",
     "Rings",
+    "Section",
     "SectionNode",
     "Sections",
     "ShearError",
@@ -113,10 +123,12 @@ __all__ = [
     "Signals",
     "SignalsAnswer",
     "SolveForecast",
+    "SolvedScene",
     "SplitError",
     "SplitReport",
     "SplitReports",
     "StrainRing",
+    "Strains",
     "StressWidth",
     "StudyIdentity",
     "StudySummary",
@@ -244,6 +256,16 @@ class Candidates:
 
     candidates: tuple[Candidate, ...]
     """Every section angle and direction."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class CarcassState:
+    """Least and greatest values over the whole textile layer."""
+
+    fibre_stretch: Extremes
+    """Stretch of the fibres."""
+    tension_n_per_mm: Extremes
+    """Tension along the fibres: force per reference length across a family, N/mm; negative in compression."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -766,6 +788,16 @@ class ExpectedAccuracy:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Extremes:
+    """Least and greatest value of a field."""
+
+    min: float
+    """Least value."""
+    max: float
+    """Greatest value."""
+
+
+@dataclass(frozen=True, kw_only=True)
 class FailedNode:
     """A node without an equilibrium."""
 
@@ -809,6 +841,27 @@ class FilmAnglesReport:
 
 
 @dataclass(frozen=True, kw_only=True)
+class FilmError:
+    """Estimated discretisation errors of a film, absolute: the change from the next coarser mesh, times Richardson's
+    factor."""
+
+    mean_strain_1: float
+    """Error of the mean strain along."""
+    mean_strain_2: float
+    """Error of the mean strain across."""
+    mean_tension_1_n_per_mm: float
+    """Error of the mean tension along, N/mm."""
+    mean_tension_2_n_per_mm: float
+    """Error of the mean tension across, N/mm."""
+    charge_nc: float
+    """Error of the charge, nC."""
+    open_circuit_v: float
+    """Error of the open circuit's voltage, V."""
+    output_v: float
+    """Error of the amplifier's voltage, V."""
+
+
+@dataclass(frozen=True, kw_only=True)
 class FilmPair:
     """The difference of two films at the crown, 30 degrees before and behind a point of the wheel, as the contact
     moves away from that point."""
@@ -840,6 +893,91 @@ class FilmPlace:
     """Section angle from the crown, degrees."""
     angle_deg: float
     """Angle of its length to the circumferential direction, degrees: 0 is x, 90 is y."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class FilmSignal:
+    """Signal that the contact adds to a film since inflation: means over its area, and what its amplifier reads of
+    them."""
+
+    mean_strain_1: float
+    """Mean strain along: stretch relative to the inflated state minus one."""
+    mean_strain_2: float
+    """Mean strain across."""
+    mean_tension_1_n_per_mm: float
+    """Mean tension along, N/mm."""
+    mean_tension_2_n_per_mm: float
+    """Mean tension across, N/mm."""
+    curvature_change_1_per_mm: float
+    """Change of curvature along, 1/mm, positive where the surface becomes more hollow towards the cavity."""
+    curvature_change_2_per_mm: float
+    """Change of curvature across, 1/mm."""
+    charge_nc: float
+    """Charge, nC."""
+    capacitance_pf: float
+    """Capacitance of the film, pF."""
+    open_circuit_v: float
+    """Voltage where nothing draws charge, V."""
+    output_v: float
+    """Amplitude at the amplifier, for presses of its frequency, V."""
+    output_std_v: float
+    """Standard deviation of that by the amplifier's noise, the gain and the temperature, V."""
+    charge_by_pressure_nc_per_kpa: float
+    """Change of the charge by a rise of the cavity's pressure, nC per kPa."""
+    charge_by_warming_nc_per_k: float
+    """Change of the charge by warming, nC per K."""
+    time_constant_s: float | None = None
+    """Time in which the reading of a held press falls to 1/e, s; absent where it stays."""
+    state: str
+    """Whether the film bears that, and the amplifier shows it. One of `ok`, `beyond-yield`, `saturated`, `wrinkled`."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class FilmState:
+    """Least and greatest values over the whole film, relative to its unstressed state in the undeformed tire."""
+
+    stretch_x: dict[str, Any]
+    """Least and greatest value of a field."""
+    stretch_y: dict[str, Any]
+    """Least and greatest value of a field."""
+    tension_x_n_per_mm: dict[str, Any]
+    """Least and greatest value of a field."""
+    tension_y_n_per_mm: dict[str, Any]
+    """Least and greatest value of a field."""
+    mean_strain_1: float
+    """Mean strain along: stretch relative to the inflated state minus one."""
+    mean_strain_2: float
+    """Mean strain across."""
+    mean_tension_1_n_per_mm: float
+    """Mean tension along, N/mm."""
+    mean_tension_2_n_per_mm: float
+    """Mean tension across, N/mm."""
+    curvature_change_1_per_mm: float
+    """Change of curvature along, 1/mm, positive where the surface becomes more hollow towards the cavity."""
+    curvature_change_2_per_mm: float
+    """Change of curvature across, 1/mm."""
+    charge_nc: float
+    """Charge, nC."""
+    capacitance_pf: float
+    """Capacitance of the film, pF."""
+    open_circuit_v: float
+    """Voltage where nothing draws charge, V."""
+    output_v: float
+    """Amplitude at the amplifier, for presses of its frequency, V."""
+    output_std_v: float
+    """Standard deviation of that by the amplifier's noise, the gain and the temperature, V."""
+    charge_by_pressure_nc_per_kpa: float
+    """Change of the charge by a rise of the cavity's pressure, nC per kPa."""
+    charge_by_warming_nc_per_k: float
+    """Change of the charge by warming, nC per K."""
+    time_constant_s: float | None = None
+    """Time in which the reading of a held press falls to 1/e, s; absent where it stays."""
+    state: str
+    """Whether the film bears that, and the amplifier shows it. One of `ok`, `beyond-yield`, `saturated`, `wrinkled`."""
+    bare: FilmSignal | None = None
+    """Signal without the film's stiffness, following the bare wall; absent where nobody asked."""
+    error: FilmError | None = None
+    """Estimated discretisation errors; absent where nobody asked, or there is no coarser mesh."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -1044,6 +1182,44 @@ class GapsLook:
 
 
 @dataclass(frozen=True, kw_only=True)
+class GaugeError:
+    """Estimated discretisation errors, absolute: root mean square of recovered minus raw values over the faces
+    around the point."""
+
+    strain: float
+    """Error of the strain since inflation."""
+    stretch: float
+    """Error of the stretch."""
+    green_lagrange: float
+    """Error of the Green-Lagrange strain."""
+    von_mises_mpa: float
+    """Error of the von Mises stress, MPa."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class GaugeReading:
+    """Strain of a material line."""
+
+    theta_deg: float
+    """Wheel angle from the contact centre, degrees, positive in the rolling direction."""
+    phi_deg: float
+    """Section angle from the crown, degrees; from bead to bead."""
+    angle_deg: float
+    """Angle of the material line to the circumferential direction, drawn on the undeformed tire, degrees: 0 is x, 90
+    is y."""
+    strain: float
+    """The signal: stretch relative to the inflated state, minus one."""
+    stretch: float
+    """Stretch relative to the undeformed tire."""
+    green_lagrange: float
+    """Green-Lagrange strain relative to the undeformed tire, (stretch^2 - 1) / 2."""
+    von_mises_mpa: float
+    """Von Mises stress of the rubber at the point, MPa."""
+    error: GaugeError | None = None
+    """Estimated discretisation errors; absent when the solver has no estimate."""
+
+
+@dataclass(frozen=True, kw_only=True)
 class GradedNote:
     """A note with its grade."""
 
@@ -1053,6 +1229,16 @@ class GradedNote:
     """Topic of the note. One of `place`, `layout`, `map`, `indices`, `signals`, `model`, `cost`."""
     text: str
     """Whole sentences."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Inflated:
+    """The inflated tire before contact."""
+
+    crown_stretch_x: float
+    crown_stretch_y: float
+    outer_radius_mm: float
+    """Outer radius at the crown, mm."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -1833,6 +2019,16 @@ class RecordingSeries:
 
 
 @dataclass(frozen=True, kw_only=True)
+class ResponseError:
+    """Estimated errors: absolute, of the largest reported value of each kind."""
+
+    strain_x: float
+    strain_y: float
+    reaction_n: float
+    """Contact penetration's share of the reaction, N."""
+
+
+@dataclass(frozen=True, kw_only=True)
 class RestedReport:
     """Left-out runs that are zeroed after lifting."""
 
@@ -1905,6 +2101,18 @@ class Rings:
     films."""
     rings: tuple[WheelRing, ...]
     """A ring for each section angle that layouts have; none where the study asks for no layouts."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Section:
+    """Strains over the section above the contact centre."""
+
+    crown: Strains
+    """0 degrees from the crown."""
+    shoulder: Strains
+    """45 degrees from the crown."""
+    sidewall: Strains
+    """90 degrees from the crown."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -2180,6 +2388,53 @@ class SolveForecast:
 
 
 @dataclass(frozen=True, kw_only=True)
+class SolvedScene:
+    """Equilibrium of a scene.
+
+    Strains are stretches relative to the inflated state minus one, on the inner surface; x circumferential, y
+    meridional.
+    """
+
+    reaction_n: float
+    """Vertical force of the ground on the whole tire, N."""
+    force_n: tuple[float, ...] | None = None
+    """Force of the ground on the whole tire, N: along the wheel (x), along the axle (y) and upwards (z, the
+    reaction). Friction pulls the way that the ground is dragged. Absent where the solver doesn't tell."""
+    depth_mm: float
+    """Height of the ground at the contact centre above the inflated outer radius, mm."""
+    locations: tuple[LocationStrain, ...]
+    """P1, P2, ... in order."""
+    section: Section
+    """Crown, shoulder and sidewall above the contact centre."""
+    inflated: Inflated
+    """The inflated state before contact."""
+    error: ResponseError
+    """Estimated discretisation errors of the readout."""
+    max_volume_change: float
+    """Largest |J - 1| of an element's mean."""
+    newton_iterations: int
+    """Newton iterations of all load steps of this solve."""
+    residual_history: tuple[tuple[float, ...], ...]
+    """Residual norms relative to the forces of the problem, one list per load step."""
+    model: Model
+    """Model that was solved."""
+    gauges: tuple[GaugeReading, ...] = ()
+    """Readings, one per gauge asked for, in the order asked."""
+    carcass: CarcassState | None = None
+    """State of the textile layer; absent without one."""
+    film: FilmState | None = None
+    """State of the film; absent without one."""
+    derivatives: tuple[dict[str, Any], ...] = ()
+    """Derivatives by the numbers asked for, in the order asked."""
+    status: str
+    """Status: `converged`."""
+    wall_s: float
+    """Time of the solve, s."""
+    unlikely: tuple[str, ...]
+    """Values that are unlikely in the scene or at its film's amplifier, whole sentences."""
+
+
+@dataclass(frozen=True, kw_only=True)
 class SplitError:
     """The chosen model on rows that were left out by one split."""
 
@@ -2262,6 +2517,14 @@ class StrainRing:
     """Largest error of the signal by the coarser mesh."""
     by_depth_error: float | None = None
     """Largest error of the derivative by the coarser mesh, 1/mm."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Strains:
+    """Names of strains and their errors."""
+
+    strain_x: float
+    strain_y: float
 
 
 @dataclass(frozen=True, kw_only=True)

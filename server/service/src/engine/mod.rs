@@ -5,10 +5,8 @@
 
 mod answered;
 
-use std::pin::pin;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::Duration;
+use std::sync::atomic::AtomicBool;
 
 use documents::study::Study;
 use documents::study::plan::PlannedStudy;
@@ -23,7 +21,6 @@ use placement::score::assemble::version;
 use results::{FailedPoint, StudyResult};
 use serde_json::{Value, json};
 use tokio::runtime::Handle;
-use tokio::time::timeout;
 
 use crate::database_archive::StoreArchive;
 use crate::engine::answered::{Answered, answered};
@@ -34,14 +31,12 @@ use crate::solving::timekeeper::Timekeeper;
 use crate::solving::traced::Traced;
 use crate::study_document::stored_plan;
 use crate::work::memory_share::MemoryShare;
+use crate::work::shutdown::unless_stopped;
 use store::answers::result_rows;
 use store::queue::event_rows;
 use store::queue::study_rows::{self, State, StudyRow};
 use store::queue::turns;
 use store::{Store, StoreError};
-
-/// Interval at which a study that is being planned looks whether it is to stop.
-const LOOK: Duration = Duration::from_millis(50);
 
 /// Engine that runs studies.
 #[derive(Clone)]
@@ -321,17 +316,6 @@ impl Engine {
         self.store.commit(transaction, id).await?;
         Ok(true)
     }
-}
-
-/// Awaits work that takes seconds for a large design, unless the study is to stop before: then nobody waits for it any more.
-async fn unless_stopped<T>(stop: &AtomicBool, work: impl Future<Output = T>) -> Option<T> {
-    let mut work = pin!(work);
-    while !stop.load(Ordering::Relaxed) {
-        if let Ok(done) = timeout(LOOK, work.as_mut()).await {
-            return Some(done);
-        }
-    }
-    None
 }
 
 /// Total and finished points, when the event changes them.

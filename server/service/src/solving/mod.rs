@@ -3,12 +3,14 @@
 //! - [`solver_choice`]: which solver answers
 //! - [`watched`]: solves that come to an end in time
 //! - [`isolated`]: solves in a process of their own
+//! - `apart`: solves that are all of this sort
 //! - [`live`]: the solves under way
 //! - [`numerics`]: solves told apart by the processor's last digits
 //! - `awake_clock`: time without that during which the program was stopped
 //! - `timekeeper`: how long they take beside what was expected
 //! - `traced`: solves whose lines in the log say for which study
 
+pub(crate) mod apart;
 pub(crate) mod awake_clock;
 pub mod isolated;
 pub mod live;

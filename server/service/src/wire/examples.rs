@@ -18,6 +18,18 @@ pub fn study() -> Value {
     parse(study_toml(), Format::Toml).unwrap_or_default()
 }
 
+/// A scene with a gauge and two derivatives, as TOML.
+pub fn scene_question_toml() -> &'static str {
+    "derivatives = [\"pressure.internal_mpa\", \"ground.depths_mm[2]\"]\n\
+     gauges = [{ theta_deg = 0, phi_deg = 45, angle_deg = 90 }]\n\
+     [scene]\npreset = \"foot-tire\"\nmodel = { level = \"draft\" }\n"
+}
+
+/// The example's scene as JSON.
+pub fn scene_question() -> Value {
+    parse(scene_question_toml(), Format::Toml).unwrap_or_default()
+}
+
 /// A preview that nobody waits for any more.
 pub fn superseded() -> Value {
     problem(409, "Conflict", "superseded: a newer preview was asked for")

@@ -9,6 +9,7 @@ pub mod examples;
 pub mod layout_wire;
 pub mod look_wire;
 pub mod preview_wire;
+pub mod scene_wire;
 pub mod study_wire;
 pub mod sweep_examples;
 mod sweep_state;

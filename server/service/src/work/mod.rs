@@ -5,6 +5,7 @@
 //!
 //! - [`shutdown`]: the wish to stop
 //! - [`memory_share`]: memory that studies and fits share
+//! - `one_at_a_time`: work that somebody waits for, on a thread of its own
 //! - [`own_process`]: starts a process, listens and waits; `answering`: the process's own side; `ending`: who is to blame for its end
 //! - [`analysis_process`]: analyses of models that others run, in such a process
 
@@ -12,6 +13,7 @@ pub mod analysis_process;
 pub(crate) mod answering;
 mod ending;
 pub mod memory_share;
+pub(crate) mod one_at_a_time;
 pub mod own_process;
 pub mod shutdown;
 

@@ -1,6 +1,14 @@
 //! The wish to stop, told to every part of the service at once.
 
+use std::pin::pin;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+
 use tokio::sync::watch;
+use tokio::time::timeout;
+
+/// Interval at which work that is waited for looks whether it is to stop.
+const LOOK: Duration = Duration::from_millis(50);
 
 /// Hears when the service is to stop.
 #[derive(Debug, Clone)]
@@ -23,4 +31,18 @@ impl Shutdown {
         // A trigger that is gone means that the service is.
         let _ = self.0.wait_for(|stop| *stop).await;
     }
+}
+
+/// Awaits what may take seconds, unless the wish to stop comes before: then nobody waits for it any more.
+pub(crate) async fn unless_stopped<T>(
+    stop: &AtomicBool,
+    work: impl Future<Output = T>,
+) -> Option<T> {
+    let mut work = pin!(work);
+    while !stop.load(Ordering::Relaxed) {
+        if let Ok(done) = timeout(LOOK, work.as_mut()).await {
+            return Some(done);
+        }
+    }
+    None
 }

@@ -18,6 +18,7 @@ use crate::http::mount::{Mount, Mounting};
 use crate::running::{Limits, Outside, Service, ServiceParts};
 use crate::telemetry::{self, LogFilter, LogFormat};
 use crate::token::{Token, TokenError};
+use service::at_once::scene_solver::SCENE_LIMIT;
 use service::forces::fit_process;
 use service::solving::solver_choice::{PREVIEW_LIMIT, preview_solver};
 use service::work::analysis_process;
@@ -160,6 +161,7 @@ impl Serve {
             solver,
             previewer: preview_solver(),
             preview_limit: PREVIEW_LIMIT,
+            scene_limit: SCENE_LIMIT,
             threads: self.config.threads(),
             turn: self.turn_s,
             outside,

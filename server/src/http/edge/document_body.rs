@@ -1,4 +1,4 @@
-//! Reads the bodies of studies and sweeps.
+//! Reads the bodies of studies, sweeps and scenes.
 
 // What users send is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
@@ -11,6 +11,7 @@ use axum::extract::{FromRequest, Request};
 use axum::http::{HeaderMap, StatusCode, header};
 use document::fault::Fault;
 use document::{Format, MAX_BYTES, parse};
+use documents::scene_question::SceneQuestion;
 use documents::study::plan::{Estimable, PlannedStudy};
 use documents::sweep::Sweep;
 use http_body_util::BodyExt;
@@ -115,6 +116,22 @@ impl<S: Send + Sync> FromRequest<S> for EstimateBody {
         let document = Document::from_request(request, state).await?;
         let study = document.checked(|value| Estimable::from_value(value, &no_files));
         study.await.map(|study| Self { study })
+    }
+}
+
+/// A checked scene from a request's body, with what is read of it.
+pub(crate) struct SceneBody {
+    /// The scene and its readout.
+    pub question: SceneQuestion,
+}
+
+impl<S: Send + Sync> FromRequest<S> for SceneBody {
+    type Rejection = Problem;
+
+    async fn from_request(request: Request, state: &S) -> Result<Self, Problem> {
+        let document = Document::from_request(request, state).await?;
+        let question = document.checked(|value| SceneQuestion::from_value(value, &no_files));
+        question.await.map(|question| Self { question })
     }
 }
 

@@ -2,7 +2,7 @@
 //!
 //! - [`study_routes`]: submit, list, look at, cancel
 //! - `entry_list`: how lists are asked for
-//! - [`preview_routes`]: a document's places at once
+//! - [`at_once`]: a document's places, one equilibrium of a scene
 //! - [`sweep_routes`]: many designs at once
 //! - [`comparison_routes`]: studies side by side
 //! - [`event_routes`]: progress as server-sent events
@@ -18,6 +18,7 @@
 pub(crate) mod analysis_routes;
 pub mod answers;
 pub(crate) mod assets;
+pub(crate) mod at_once;
 pub(crate) mod comparison_routes;
 mod entry_list;
 pub mod estimators;
@@ -25,7 +26,6 @@ pub(crate) mod event_routes;
 mod long_body;
 pub mod openapi;
 pub(crate) mod preset_routes;
-pub(crate) mod preview_routes;
 pub(crate) mod study_routes;
 pub(crate) mod sweep_routes;
 pub(crate) mod upkeep;

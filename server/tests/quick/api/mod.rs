@@ -1,6 +1,7 @@
 //! The service from outside: a real listener, a fresh database, the closed-form solver behind it.
 
 mod answers;
+mod at_once;
 mod crashes;
 mod dashboard;
 mod edge;
@@ -9,7 +10,6 @@ mod gone;
 mod lists;
 mod metrics;
 mod openapi;
-mod preview;
 mod queue;
 mod removal;
 mod studies;

@@ -34,6 +34,13 @@ async fn faulty_documents_are_refused_as_recorded_and_nothing_is_stored() {
     large["method"] = json!({"kind": "saltelli", "samples": 4096});
     post("/v1/studies:preview", &large).await;
 
+    let scene = json!({"preset": "foot-tire", "contact": {"friction": 0.5, "fiction": 1}});
+    let gauges = json!([{"theta_deg": 0, "phi_deg": 190}, {"phi_deg": 0, "angle": 90}]);
+    let derivatives = json!(["pressure.internal_mpa", "pressure.internal_mpa", 7]);
+    let question = json!({"scene": scene, "gauges": gauges, "derivatives": derivatives, "at": []});
+    post("/v1/scenes:solve", &question).await;
+    post("/v1/scenes:solve", &json!({"scene": "/etc/passwd"})).await;
+
     let grid = json!({"geometry.wall_mm": [2.5, -1], "geometry.wal_mm": [1]});
     let mut sweep = json!({"study": study(), "grid": grid});
     post("/v1/sweeps", &sweep).await;

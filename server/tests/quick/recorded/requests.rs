@@ -70,6 +70,10 @@ async fn studies(app: &App) -> Asked {
         .ask(Method::POST, "/v1/studies:preview", Some(&document))
         .await;
     session.depth = DEPTH;
+    let scene = json!({"scene": document["scene"]});
+    session
+        .ask(Method::POST, "/v1/scenes:solve", Some(&scene))
+        .await;
     let submitted = session
         .ask(Method::POST, "/v1/studies", Some(&document))
         .await;

@@ -31,6 +31,7 @@ use crate::cli::terminal::progress::clock;
 use crate::cli::terminal::signals::stop_flag;
 use crate::cli::terminal::slip_text::slip_lines;
 use service::study_document::{format_of, read_scene_file};
+use service::wire::scene_wire::SolvedScene;
 
 /// Solve one equilibrium of a scene
 #[derive(Debug, Args)]
@@ -103,12 +104,12 @@ impl Solve {
             );
             write(path, picture(&scene, &solved, &version)?.as_bytes())?;
         }
-        let unlikely = unlikely(&scene, &solved);
+        let answer = SolvedScene::of(&scene, &solved).map_err(Failure::other)?;
         if let Some(target) = &self.json {
-            target.write(&document(&unlikely, &solved)?)?;
+            target.write(&json!(answer))?;
         }
         let text = report(&solved, scene.ground.is_dragged());
-        tell(&(slip_lines(unlikely) + &text), self.json.as_ref())
+        tell(&(slip_lines(answer.unlikely) + &text), self.json.as_ref())
     }
 
     fn scene(&self) -> Result<Scene, Failure> {
@@ -151,35 +152,6 @@ fn picture(scene: &Scene, solved: &Solved, version: &str) -> Result<String, Fail
     let body =
         body.ok_or_else(|| Failure::other("the solver handed over no equilibrium on a mesh"))?;
     body.grid(version).to_xml().map_err(Failure::other)
-}
-
-/// The response with its status and its time; the map and the rings are left out, as nobody asked for them.
-fn document(unlikely: &[String], solved: &Solved) -> Result<Value, Failure> {
-    let text = store::content::encode("the response", &solved.response).map_err(Failure::other)?;
-    let Value::Object(response) = serde_json::from_str(&text).map_err(Failure::other)? else {
-        return Err(Failure::Other("a response is a JSON object".to_owned()));
-    };
-    let mut document = json!({"status": "converged"});
-    if let Value::Object(document) = &mut document {
-        document.extend(
-            response
-                .into_iter()
-                .filter(|(name, _)| name != "map" && name != "rings"),
-        );
-        document.insert("wall_s".to_owned(), json!(solved.cost.wall_s));
-        document.insert("unlikely".to_owned(), json!(unlikely));
-    }
-    Ok(document)
-}
-
-/// Returns what is unlikely in the scene, and in what its film's amplifier would show.
-fn unlikely(scene: &Scene, solved: &Solved) -> Vec<String> {
-    let values = scene.slips().into_iter().map(|slip| slip.to_string());
-    let films = scene.film.iter().zip(&solved.response.film);
-    let outputs =
-        films.filter_map(|(film, found)| film.amplifier.unlikely_output(found.signal.output_v));
-    let outputs = outputs.map(|output| format!("film.amplifier: {output}"));
-    values.chain(outputs).collect()
 }
 
 fn film_signal(film: &FilmState, signal: &FilmSignal) -> String {
@@ -365,7 +337,7 @@ mod tests {
             watch: &stop,
         };
         let mut solved = ClosedFormSolver::new().solve(&request).expect("solves");
-        let document = document(&[], &solved).expect("finite");
+        let document = json!(SolvedScene::of(&scene, &solved).expect("finite"));
         assert_eq!(document["status"], "converged");
         for field in [
             "reaction_n",

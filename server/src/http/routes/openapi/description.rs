@@ -10,6 +10,7 @@ use axum::response::Response;
 use axum::{Extension, Json};
 use document::json_schema::Schemas;
 use documents::own_model::analysis_document::analysis_schema;
+use documents::scene_question::scene_question_schema;
 use documents::schemas::DocumentKind;
 use documents::sweep::sweep_schema::further_designs_schema;
 use serde_json::{Value, json};
@@ -23,8 +24,8 @@ use crate::http::mount::Mount;
 use crate::http::routes::openapi::generator_idioms;
 use crate::http::routes::upkeep::{health, login_routes, metric_routes};
 use crate::http::routes::{
-    analysis_routes, answers, assets, comparison_routes, estimators, event_routes, preset_routes,
-    preview_routes, study_routes, sweep_routes,
+    analysis_routes, answers, assets, at_once, comparison_routes, estimators, event_routes,
+    preset_routes, study_routes, sweep_routes,
 };
 use service::export::{ComparisonFormat, ComparisonTable, FileFormat, Table};
 use service::wire::described_tables::described_tables;
@@ -45,6 +46,7 @@ use service::wire::study_wire::{LiveSolve, ProblemDocument};
     tags(
         (name = "studies", description = "Estimate, submit, follow and cancel"),
         (name = "answers", description = "Answers of studies"),
+        (name = "scenes", description = "One equilibrium, without a study"),
         (name = "sweeps", description = "One study and many designs, and what differs between them"),
         (name = "estimators", description = "Forces from recorded signals: learnt, judged, applied"),
         (name = "analyses", description = "Indices of a model of your own: points out, values in"),
@@ -97,6 +99,7 @@ fn describe_documents(document: &mut Value) {
         kind.root(&mut schemas);
     }
     further_designs_schema(&mut schemas);
+    scene_question_schema(&mut schemas);
     analysis_schema(&mut schemas);
     if let Some(described) = document["components"]["schemas"].as_object_mut() {
         described.extend(schemas.definitions());
@@ -112,7 +115,7 @@ pub fn described() -> OpenApiRouter<AppState> {
 pub(crate) fn routes() -> OpenApiRouter<AppState> {
     described()
         .merge(study_routes::router())
-        .merge(preview_routes::router())
+        .merge(at_once::router())
         .merge(sweep_routes::router())
         .merge(comparison_routes::router())
         .merge(event_routes::router())

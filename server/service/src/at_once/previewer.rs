@@ -3,7 +3,7 @@
 //! One at a time in the whole service, beside the queue and with a solver of its own, so that what a running study shares between its solves stays. A newer preview
 //! stops the one before; so does a client that goes away.
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -15,9 +15,10 @@ use placement::ladder::preview;
 use placement::points::RunContext;
 use placement::points::RunError;
 use placement::points::memory::MemoryArchive;
-use tokio::sync::{Notify, OwnedMutexGuard, oneshot};
+use tokio::sync::Notify;
 
 use crate::wire::preview_wire::Preview;
+use crate::work::one_at_a_time::{OneAtATime, Unfinished};
 use crate::work::shutdown::Shutdown;
 
 /// Points that a preview may ask for at first. A draft solve takes about 8 ms of a core: on two cores so many take two seconds, and on one busy core less than the limit.
@@ -64,26 +65,9 @@ pub enum PreviewError {
 pub struct Previewer {
     solver: Arc<dyn Solver>,
     threads: usize,
-    limit: Duration,
-    shutdown: Shutdown,
-    newest: Mutex<Option<Arc<Asked>>>,
-    turn: Arc<tokio::sync::Mutex<()>>,
-}
-
-/// A preview that was asked for.
-#[derive(Default)]
-struct Asked {
-    stop: AtomicBool,
-    superseded: Notify,
-}
-
-/// Stops a preview that nobody waits for any more.
-struct Waiting(Arc<Asked>);
-
-impl Drop for Waiting {
-    fn drop(&mut self) {
-        self.0.stop.store(true, Ordering::Relaxed);
-    }
+    line: OneAtATime,
+    /// Tells the newest that was asked for that it is so no more.
+    newest: Mutex<Option<Arc<Notify>>>,
 }
 
 impl Previewer {
@@ -97,14 +81,12 @@ impl Previewer {
         Self {
             solver,
             threads,
-            limit,
-            shutdown,
+            line: OneAtATime::new("preview", limit, shutdown),
             newest: Mutex::default(),
-            turn: Arc::default(),
         }
     }
 
-    /// Solves a study's places and layouts on the draft mesh.
+    /// Solves a study's places and layouts on the draft mesh, once the one before has ended, which it does within a Newton iteration.
     ///
     /// # Errors
     /// See [`PreviewError`].
@@ -115,49 +97,33 @@ impl Previewer {
         if points > MOST_POINTS {
             return Err(PreviewError::TooLarge { points });
         }
-        let asked = Arc::new(Asked::default());
-        let _waiting = Waiting(asked.clone());
-        self.supersede(&asked);
-        let mut shutdown = self.shutdown.clone();
+        let superseded = self.supersede();
+        let (solver, threads) = (self.solver.clone(), self.threads);
+        let work = move |stop: &AtomicBool| solved(&preview, solver.as_ref(), threads, stop, begun);
         tokio::select! {
-            answer = self.answer(preview, &asked, begun) => answer,
-            () = asked.superseded.notified() => Err(PreviewError::Superseded),
-            () = tokio::time::sleep(self.limit) => Err(PreviewError::OverTime { limit: self.limit }),
-            () = shutdown.wait() => Err(PreviewError::Stopping),
+            preview = self.line.done(work) => preview?,
+            () = superseded.notified() => Err(PreviewError::Superseded),
         }
     }
 
-    /// Stops the preview before this one.
-    fn supersede(&self, asked: &Arc<Asked>) {
+    /// Tells the preview before this one; returns what tells this one.
+    fn supersede(&self) -> Arc<Notify> {
+        let own = Arc::new(Notify::new());
         let mut newest = self.newest.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(before) = newest.replace(asked.clone()) {
-            before.stop.store(true, Ordering::Relaxed);
-            before.superseded.notify_one();
+        if let Some(before) = newest.replace(own.clone()) {
+            before.notify_one();
         }
+        own
     }
+}
 
-    /// Solves on a thread of its own once the one before has ended, which it does within a Newton iteration.
-    async fn answer(
-        &self,
-        preview: preview::Preview,
-        asked: &Arc<Asked>,
-        begun: Instant,
-    ) -> Result<Preview, PreviewError> {
-        let turn = self.turn.clone().lock_owned().await;
-        let (tell, told) = oneshot::channel();
-        let (solver, threads, asked) = (self.solver.clone(), self.threads, asked.clone());
-        let work = move || {
-            let turn: OwnedMutexGuard<()> = turn;
-            let answer = solved(&preview, solver.as_ref(), threads, &asked.stop, begun);
-            drop(turn);
-            // Nobody listens to a preview that was stopped.
-            let _ = tell.send(answer);
-        };
-        let thread = std::thread::Builder::new().name("preview".to_owned());
-        if let Err(error) = thread.spawn(work) {
-            tracing::error!(%error, "no thread could be started for a preview");
+impl From<Unfinished> for PreviewError {
+    fn from(reason: Unfinished) -> Self {
+        match reason {
+            Unfinished::OverTime(limit) => Self::OverTime { limit },
+            Unfinished::Stopping => Self::Stopping,
+            Unfinished::Broken => Self::Broken,
         }
-        told.await.unwrap_or(Err(PreviewError::Broken))
     }
 }
 

@@ -13,13 +13,13 @@ use utoipa_axum::routes;
 use crate::http::app_state::AppState;
 use crate::http::edge::document_body::EstimateBody;
 use crate::http::edge::problem_document::Problem;
-use service::previewer::PreviewError;
+use service::at_once::previewer::PreviewError;
 use service::wire::examples;
 use service::wire::preview_wire::Preview;
 use service::wire::study_wire::{ProblemDocument, StudyDocument};
 
 /// `/v1/studies:preview`.
-pub(crate) fn router() -> OpenApiRouter<AppState> {
+pub(super) fn router() -> OpenApiRouter<AppState> {
     OpenApiRouter::new().routes(routes!(preview))
 }
 

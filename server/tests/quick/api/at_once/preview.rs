@@ -1,15 +1,14 @@
 //! A document's places at once: what they are, and that nothing stays of them.
 
-use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
 use fem_client::closed_form::ClosedFormSolver;
-use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
 use reqwest::{RequestBuilder, StatusCode};
 use serde_json::{Value, json};
 use service::solving::solver_choice::{SolverName, solver};
 
+use super::Counting;
 use crate::app::{App, Home, PATIENCE, problem, slow, study};
 
 fn request(app: &App, document: &Value) -> RequestBuilder {
@@ -21,32 +20,6 @@ async fn preview(app: &App, document: &Value) -> Value {
     let response = request(app, document).send().await.expect("an answer");
     assert_eq!(response.status(), StatusCode::OK);
     response.json().await.expect("JSON")
-}
-
-/// The closed form, slow, counting its solves.
-struct Counting {
-    solver: ClosedFormSolver,
-    begun: AtomicUsize,
-}
-
-impl Counting {
-    fn slow() -> Arc<Self> {
-        Arc::new(Self {
-            solver: slow(),
-            begun: AtomicUsize::new(0),
-        })
-    }
-}
-
-impl Solver for Counting {
-    fn version(&self) -> String {
-        self.solver.version()
-    }
-
-    fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
-        self.begun.fetch_add(1, Ordering::Relaxed);
-        self.solver.solve(request)
-    }
 }
 
 #[tokio::test(flavor = "multi_thread")]
@@ -153,7 +126,7 @@ async fn a_preview_beyond_its_limit_says_what_to_do_and_ends() {
     let home = Home::new();
     let counting = Counting::slow();
     let limit = Duration::from_millis(300);
-    let app = home.start_with_previews_of(limit, counting.clone()).await;
+    let app = home.start_with_limit(limit, counting.clone()).await;
     let answer = request(&app, &study()).send().await.expect("an answer");
     let refused = problem(answer, StatusCode::SERVICE_UNAVAILABLE).await;
     let detail = refused["detail"].as_str().expect("a sentence");

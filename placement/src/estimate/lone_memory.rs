@@ -1,0 +1,99 @@
+//! Peak memory of a process that solves one scene from nothing.
+//!
+//! An upper bound rather than a mean, because a scene is refused by it: measured peaks are half to all of it.
+
+use fem_client::scene::Scene;
+use fem_client::solver::{Readout, Solver};
+
+use super::peak_memory::PROGRAM;
+use super::solve_time::CELLS;
+
+/// Memory of half the tire: bytes on the draft mesh, exponent of the cells.
+const HALF: (f64, f64) = (18e6, 1.25);
+/// Memory of a quarter, where the ground is alike on both sides.
+const QUARTER: f64 = 0.5;
+/// Memory of the whole tire: dragged across, or with a film askew.
+const WHOLE: f64 = 4.0;
+/// Memory of a solve whose answer is differentiated, in those of the solve: the inflated and the pressed tangent are held, and both sides of a number.
+const DIFFERENTIATED: f64 = 2.2;
+
+/// Largest memory of a process that solves a scene once, bytes.
+pub fn solve_memory_bytes(scene: &Scene, readout: &Readout, solver: &dyn Solver) -> u64 {
+    let (draft, exponent) = HALF;
+    let half = draft * (solver.cells(scene) as f64 / CELLS).powf(exponent);
+    let sides = match readout.derivatives.is_empty() {
+        true => 1.0,
+        false => DIFFERENTIATED,
+    };
+    (PROGRAM + sides * part(scene) * half) as u64
+}
+
+fn part(scene: &Scene) -> f64 {
+    let film = scene.film.as_ref();
+    let is_askew = film.is_some_and(|film| film.angle_deg % 90.0 != 0.0);
+    let is_aside = film.is_some_and(|film| film.theta_deg != 0.0);
+    if is_askew || scene.ground.shift_mm[1] != 0.0 {
+        WHOLE
+    } else if is_aside || !scene.ground.is_symmetric() {
+        1.0
+    } else {
+        QUARTER
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::{Value, json};
+    use tire::embedded::EmbeddedSolver;
+
+    use super::*;
+
+    /// Asserts that the bound is met and not far off a measured peak, MB.
+    fn assert_bounds(changes: &[(&str, Value)], derivatives: &[&str], peak: f64) {
+        let mut scene = Scene::default();
+        let changed: Vec<(&str, &Value)> =
+            changes.iter().map(|(path, value)| (*path, value)).collect();
+        scene.set_all(&changed).expect("a scene");
+        let readout = Readout {
+            derivatives: derivatives.iter().map(|path| (*path).to_owned()).collect(),
+            ..Readout::default()
+        };
+        let bytes = solve_memory_bytes(&scene, &readout, &EmbeddedSolver::default());
+        let ratio = bytes as f64 / 1e6 / peak;
+        assert!(
+            (1.0..2.2).contains(&ratio),
+            "{changes:?}: {ratio:.2} times {peak} MB"
+        );
+    }
+
+    #[test]
+    fn a_lone_solve_takes_no_more_than_was_said() {
+        // Largest resident memory of `strainsite solve foot-tire`, bare and with three derivatives.
+        for (level, peak, differentiated) in [
+            ("draft", 25.7, 34.2),
+            ("coarse", 62.2, 116.2),
+            ("standard", 153.4, 307.1),
+            ("reference", 373.6, 808.7),
+        ] {
+            let changes = [("model.level", json!(level))];
+            assert_bounds(&changes, &[], peak);
+            assert_bounds(&changes, &["geometry.wall_mm"], differentiated);
+        }
+    }
+
+    #[test]
+    fn a_larger_part_of_the_tire_takes_more() {
+        let coarse = ("model.level", json!("coarse"));
+        let friction = ("contact.friction", json!(0.6));
+        let uneven = ("ground.depths_mm", json!([0.8, 1, 1.1, 1.2, 0.7]));
+        assert_bounds(&[coarse.clone(), uneven.clone()], &[], 125.8);
+        assert_bounds(&[coarse.clone(), uneven], &["pressure.internal_mpa"], 188.9);
+        let dragged = |shift: Value| [coarse.clone(), friction.clone(), ("ground.shift_mm", shift)];
+        assert_bounds(&dragged(json!([0.3, 0])), &[], 164.4);
+        assert_bounds(&dragged(json!([0, 0.3])), &[], 434.2);
+        let film = |field: &'static str, value: f64| [coarse.clone(), (field, json!(value))];
+        assert_bounds(&film("film.theta_deg", 0.0), &[], 66.9);
+        assert_bounds(&film("film.theta_deg", 10.0), &[], 135.4);
+        assert_bounds(&film("film.angle_deg", 30.0), &[], 321.7);
+    }
+}
