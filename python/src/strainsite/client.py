@@ -9,7 +9,16 @@ from typing import TYPE_CHECKING, Any, Literal
 from urllib.parse import quote
 
 from . import documents
-from .answers._generated import Estimate, EstimatorSummary, Look, Presets, Preview, SolvedScene, StudySummary, SweepEstimate
+from .answers._generated import (
+    Estimate,
+    EstimatorSummary,
+    Look,
+    Presets,
+    Preview,
+    SolvedScene,
+    StudySummary,
+    SweepEstimate,
+)
 from .answers.comparison import Comparison
 from .answers.reading import read
 from .connection.download import download
@@ -462,7 +471,7 @@ def _recordings(runs: Sequence[Run] | Mapping[str, Run]) -> list[dict[str, str]]
 
 def _gauge(place: Sequence[float]) -> dict[str, float]:
     names = ("theta_deg", "phi_deg", "angle_deg")
-    if not 2 <= len(place) <= len(names):
+    if len(place) not in (2, 3):
         raise DocumentError(f"a gauge is (theta, phi) or (theta, phi, angle), degrees; it is {tuple(place)}")
     return {name: float(angle) for name, angle in zip(names, place, strict=False)}
 
