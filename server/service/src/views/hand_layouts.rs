@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 
 use document::Format;
 use fem_client::scene::Scene;
@@ -14,6 +14,7 @@ use results::LayoutFindings;
 use serde::de::IgnoredAny;
 
 use crate::study_document::stored_plan;
+use crate::work::shutdown::Waiting;
 use store::points::evaluations;
 use store::queue::study_rows::StudyRow;
 use store::{Store, StoreError};
@@ -38,16 +39,6 @@ pub enum HandLayoutsError {
     Store(#[from] StoreError),
 }
 
-/// Work that ends when nobody waits for it any more.
-#[derive(Default)]
-struct Waiting(Arc<AtomicBool>);
-
-impl Drop for Waiting {
-    fn drop(&mut self) {
-        self.0.store(true, Ordering::Relaxed);
-    }
-}
-
 /// Computes `work` of the study's stored fields. It is told to stop when the caller goes away.
 ///
 /// # Errors
@@ -70,7 +61,7 @@ pub async fn of<T: Send + 'static>(
     let (study, scenes) = planned.await?;
     let outcomes = outcomes(store, &row.id, &scenes).await?;
     let waiting = Waiting::default();
-    let stop = waiting.0.clone();
+    let stop = waiting.flag();
     off_thread(move || {
         let fields = study.read(|coarser| StoredSolves::new(outcomes, coarser), &stop)?;
         let made = work(&fields, &stop).ok_or(HandError::Stopped)?;

@@ -1,12 +1,12 @@
 //! Work that somebody waits for: a piece at a time, each on a thread of its own and no longer than its limit.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
 use tokio::sync::{OwnedMutexGuard, oneshot};
 
-use crate::work::shutdown::Shutdown;
+use crate::work::shutdown::{Shutdown, Waiting};
 
 /// Line of those who wait for work of one sort.
 pub(crate) struct OneAtATime {
@@ -28,15 +28,6 @@ pub(crate) enum Unfinished {
     Broken,
 }
 
-/// Stops work that nobody waits for any more.
-struct Waiting(Arc<AtomicBool>);
-
-impl Drop for Waiting {
-    fn drop(&mut self) {
-        self.0.store(true, Ordering::Relaxed);
-    }
-}
-
 impl OneAtATime {
     /// A line of work that takes no longer than `limit`, until `shutdown`.
     pub fn new(name: &'static str, limit: Duration, shutdown: Shutdown) -> Self {
@@ -56,8 +47,8 @@ impl OneAtATime {
         &self,
         work: impl FnOnce(&AtomicBool) -> T + Send + 'static,
     ) -> Result<T, Unfinished> {
-        let stop = Arc::new(AtomicBool::new(false));
-        let _waiting = Waiting(stop.clone());
+        let waiting = Waiting::default();
+        let stop = waiting.flag();
         let mut shutdown = self.shutdown.clone();
         tokio::select! {
             outcome = self.outcome(stop, work) => outcome,

@@ -1,6 +1,7 @@
 //! The wish to stop, told to every part of the service at once.
 
 use std::pin::pin;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
@@ -45,4 +46,21 @@ pub(crate) async fn unless_stopped<T>(
         }
     }
     None
+}
+
+/// Wait for work, whose flag is raised when nobody waits any more.
+#[derive(Debug, Default)]
+pub(crate) struct Waiting(Arc<AtomicBool>);
+
+impl Waiting {
+    /// The flag of the work.
+    pub fn flag(&self) -> Arc<AtomicBool> {
+        self.0.clone()
+    }
+}
+
+impl Drop for Waiting {
+    fn drop(&mut self) {
+        self.0.store(true, Ordering::Relaxed);
+    }
 }
