@@ -2,7 +2,7 @@
 
 use crate::cell::mesh::{Mesh, Surface};
 use crate::load::contact::ContactSurface;
-use crate::load::obstacle::HeightField;
+use crate::load::obstacle::{GroundAxes, HeightField};
 use crate::load::pressure::PressureSurface;
 use crate::solid::SolidModel;
 use crate::surface::membrane::Membrane;
@@ -61,7 +61,7 @@ pub struct Loads {
     pub pressure: f64,
     /// Ground below the contact surface; `None` is no ground.
     pub ground: Option<HeightField>,
-    /// Vertical force with which the ground presses, N: it rises until it does ([`State::rise`]). `None`: it stands at its own height.
+    /// Force along its z axis with which the ground presses, N: it rises until it does ([`State::rise`]). `None`: it stands at its own height.
     pub ground_force: Option<f64>,
     /// Factor of the held displacements.
     pub support_factor: f64,
@@ -71,7 +71,7 @@ pub struct Loads {
 
 impl Loads {
     /// Loads at the fraction `t` of the way to `target`. The ground is the target's, with the depths on their way from
-    /// this one's, or from zero where there is none yet, and dragged as far as it is on its way there.
+    /// this one's, or from zero where there is none yet, leaning and dragged as far as it is on its way there.
     pub fn towards(&self, target: &Self, t: f64) -> Self {
         let mix = |a: f64, b: f64| if t >= 1.0 { b } else { a + t * (b - a) };
         let ground = target.ground.as_ref().map(|ground| {
@@ -84,7 +84,16 @@ impl Loads {
                 .enumerate()
                 .map(|(k, &depth)| mix(start_depths.get(k).copied().unwrap_or(0.0), depth))
                 .collect();
+            let (axes, base) = match start {
+                Some(start) if start.axes != ground.axes => (
+                    GroundAxes::below(mix(start.axes.angle, ground.axes.angle)),
+                    mix(start.base, ground.base),
+                ),
+                _ => (ground.axes, ground.base),
+            };
             HeightField {
+                axes,
+                base,
                 depths,
                 shift: [0, 1].map(|i| mix(start_shift[i], ground.shift[i])),
                 ..ground.clone()
@@ -146,7 +155,7 @@ pub struct State {
     pub pressure: Vec<f64>,
     /// Anchors of friction, in coordinates of the ground, mm: contact face, point; none before a path with friction begins.
     pub anchors: Vec<[f64; 2]>,
-    /// Height of the ground above its own, mm: an unknown where it presses with a force, else 0.
+    /// Rise of the ground above its own height along its z axis, mm: an unknown where it presses with a force, else 0.
     pub rise: f64,
 }
 

@@ -2516,17 +2516,19 @@ export interface components {
         Response: {
             /**
              * Format: double
-             * @description Vertical force of the ground on the whole tire, N.
+             * @description Force of the ground on the whole tire along the ground's normal, N.
              */
             reaction_n: number;
             /**
-             * @description Force of the ground on the whole tire, N: along the wheel (x), along the axle (y) and upwards (z, the reaction). Friction pulls the way that the
-             *     ground is dragged. Absent where the solver doesn't tell.
+             * @description Force of the ground on the whole tire, N, in the wheel's frame: along the wheel (x), along the axle (y) and in the wheel's plane upwards (z, the reaction of
+             *     an upright wheel). Friction pulls the way that the ground is dragged. Absent where the solver doesn't tell.
              */
             force_n?: number[] | null;
+            /** @description Moment of the ground's forces about the wheel's centre, N mm, in the wheel's frame: x, y, z as `force_n`. Absent where the solver doesn't tell. */
+            moment_nmm?: number[] | null;
             /**
              * Format: double
-             * @description Height of the ground at the contact centre above the inflated outer radius, mm.
+             * @description Height of the ground at the contact centre, mm, along its normal from where flat ground touches the inflated tire.
              */
             depth_mm: number;
             /** @description P1, P2, ... in order. */
@@ -4237,7 +4239,7 @@ export interface components {
              */
             internal_mpa: number;
         };
-        /** @description Rigid height field over stations along the circumference, each pressed in by its own depth. */
+        /** @description Rigid height field over stations along the circumference, each pressed in by its own depth, below a wheel that may lean. */
         GroundDocument: {
             /**
              * @description Number of stations, odd; the length of `depths_mm` where there is one.
@@ -4256,7 +4258,7 @@ export interface components {
              */
             station_functions: "bspline" | "hat";
             /**
-             * @description Depth of each station below the inflated outer radius, mm; none where a load is given.
+             * @description Depth of each station, mm, along the ground's normal from where flat ground touches the inflated tire; none where a load is given.
              * @default [
              *       1,
              *       1,
@@ -4266,7 +4268,7 @@ export interface components {
              *     ]
              */
             depths_mm: number[];
-            /** @description Vertical force with which a flat ground presses on the whole tire, N, in place of depths. */
+            /** @description Force along its normal with which a flat ground presses on the whole tire, N, in place of depths. */
             load_n?: number;
             /**
              * @description Ways by which the ground is dragged once it presses, mm: along the wheel (x, rolling direction) and across it (y, along the axle).
@@ -4276,6 +4278,11 @@ export interface components {
              *     ]
              */
             shift_mm: number[];
+            /**
+             * @description Inclination of the wheel to the ground's normal, degrees, right-handed about x: a positive one leans the top towards -y and presses the side at negative section angles.
+             * @default 0
+             */
+            camber_deg: number;
         };
         /** @description Contact of tire and ground. */
         ContactDocument: {
@@ -5862,6 +5869,7 @@ export const RANGES = {
   "ground/depths_mm/*": [0, 10000],
   "ground/load_n": [0, 1000000000],
   "ground/shift_mm/*": [-10000, 10000],
+  "ground/camber_deg": [-30, 30],
   "contact/friction": [0, 10],
   "contact/penalty_n_per_mm3": [0.000001, 1000000000],
 } as const;

@@ -14,7 +14,7 @@ use fem_client::solver::{
     NoEquilibrium, Reached, Readout, Response, ResponseError, SolveError, SolveRequest, Watch,
 };
 use tire::mesh::tire_grid::{Extent, MeshPlan};
-use tire::model::{TireModel, ground};
+use tire::model::TireModel;
 use tire::readout::surface_reader::{Diagnostics, Reader};
 
 /// Reach of the ground to all sides, in outer radii.
@@ -36,11 +36,8 @@ impl<'s> Case<'s> {
     /// Meshes the scene; the plan's bricks have 8 nodes.
     pub fn new(request: &SolveRequest<'s>, plan: &MeshPlan, program: &'s Program) -> Self {
         let scene = request.scene;
-        let extent = if scene.ground.is_symmetric() {
-            Extent::Quarter
-        } else {
-            Extent::Half
-        };
+        let ground = &scene.ground;
+        let extent = Extent::of(!ground.is_symmetric(), !ground.is_alike_across());
         Self {
             scene,
             readout: request.readout,
@@ -57,12 +54,11 @@ impl<'s> Case<'s> {
     /// As [`fem_client::solver::Solver::solve`].
     pub fn response(&self) -> Result<Response, SolveError> {
         let alone = self.state(&self.run(None)?, INFLATED_TIME)?;
-        let radius = -alone.position(&self.model.problem.mesh, self.model.grid.lowest_node())[2];
-        let field = ground(&self.scene.ground, radius);
+        let field = self.model.ground_below(&self.scene.ground, &alone);
         let rigid = RigidGround::new(
             &field,
             GROUND_REACH * self.scene.geometry.outer_radius_mm,
-            -radius - CLEARANCE * self.scene.geometry.wall_mm,
+            field.base - CLEARANCE * self.scene.geometry.wall_mm,
         );
         let files = self.run(Some(&rigid))?;
         self.read(&files, field)
@@ -132,6 +128,7 @@ impl<'s> Case<'s> {
         let inflated = self.state(files, INFLATED_TIME)?;
         let pressed = self.state(files, PRESSED_TIME)?;
         let force = result_file::reaction(&files.dat, PRESSED_TIME).map_err(broken)?;
+        let [_, _, normal] = field.axes.coordinates(force);
         let loads = Loads {
             pressure: scene.pressure.internal_mpa,
             ground: Some(field),
@@ -143,14 +140,14 @@ impl<'s> Case<'s> {
         let unknowns = supports.filter(|held| held.is_none()).count();
         let summary = model.summary(scene, unknowns);
         let diagnostics = Diagnostics {
-            friction_n: [0.0; 2],
             max_volume_change: self.max_volume_change(&pressed)?,
             newton_iterations: residual_history.iter().map(Vec::len).sum(),
             residual_history,
             model: limits::summary(scene, summary, self.program.version()),
+            ..Diagnostics::default()
         };
         let response = reader.response(self.readout, diagnostics);
-        let reaction_n = model.multiplicity() * force[2];
+        let reaction_n = model.multiplicity() * normal;
         // The reader's error is the penetration's share of the embedded law's force; the share is the same here.
         let share = match response.reaction_n {
             embedded_n if embedded_n > 0.0 => reaction_n / embedded_n,
@@ -159,6 +156,7 @@ impl<'s> Case<'s> {
         Ok(Response {
             reaction_n,
             force_n: None,
+            moment_nmm: None,
             error: ResponseError {
                 reaction_n: share * response.error.reaction_n,
                 ..response.error

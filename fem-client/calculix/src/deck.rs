@@ -126,7 +126,8 @@ impl Deck<'_> {
         line(text, "*MATERIAL, NAME=STEEL\n*ELASTIC\n2e5, 0.3");
         line(text, "*SOLID SECTION, ELSET=RIGID, MATERIAL=STEEL");
         line(text, "*SURFACE, NAME=ROAD, TYPE=ELEMENT\nRIGID, S2");
-        line(text, &format!("*BOUNDARY\n{GROUND}, 1, 2, 0."));
+        let held = moving_axes(ground).start - 1;
+        line(text, &format!("*BOUNDARY\n{GROUND}, 1, {held}, 0."));
         line(text, "*SURFACE INTERACTION, NAME=TOUCH");
         line(text, "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR");
         // CalculiX smooths its law with a tension far from contact, here a millionth of the shear modulus.
@@ -171,7 +172,10 @@ impl Deck<'_> {
         line(text, &format!("{residual}, {correction}"));
         if let Some(ground) = self.ground {
             line(text, "*BOUNDARY, AMPLITUDE=RISE");
-            line(text, &format!("{GROUND}, 3, 3, {}", real(ground.rise)));
+            for axis in moving_axes(ground) {
+                let way = real(ground.way[axis - 1]);
+                line(text, &format!("{GROUND}, {axis}, {axis}, {way}"));
+            }
         }
         if let Some(pressure) = &self.problem.pressure {
             line(text, "*DLOAD, AMPLITUDE=INFLATE");
@@ -284,6 +288,14 @@ fn sides(mesh: &Mesh, surface: &Surface) -> Vec<(usize, Vec<usize>)> {
         })
         .filter(|(_, elements)| !elements.is_empty())
         .collect()
+}
+
+/// Axes, numbered from 1, along which the ground rises: below an upright wheel the last alone.
+fn moving_axes(ground: &RigidGround) -> std::ops::Range<usize> {
+    match ground.way[1] == 0.0 {
+        true => 3..4,
+        false => 2..4,
+    }
 }
 
 #[cfg(test)]

@@ -90,6 +90,7 @@ impl CalculixSolver {
                 inflated: Vec::new(),
                 pressure_mpa: request.scene.pressure.internal_mpa,
                 depths_mm: request.scene.ground.depths_mm.clone(),
+                camber_deg: request.scene.ground.camber_deg,
                 equilibrium: Vec::new(),
             },
         })

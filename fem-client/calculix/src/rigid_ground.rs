@@ -1,6 +1,7 @@
 //! The rigid ground as a strip of bricks whose nodes are all held.
 
 use fem::load::obstacle::HeightField;
+use fem::tensor::Vector;
 
 /// Facets between neighbouring stations of an uneven ground.
 const FACETS_PER_STATION: f64 = 8.0;
@@ -12,13 +13,15 @@ pub struct RigidGround {
     pub nodes: Vec<[f64; 3]>,
     /// Corners of the bricks, lexicographic.
     pub bricks: Vec<[u32; 8]>,
-    /// Way up from where it is parked, mm.
+    /// Distance from where it is parked, along its normal, mm.
     pub rise: f64,
+    /// Way from there, mm.
+    pub way: Vector,
 }
 
 impl RigidGround {
     /// The ground of a height field under a tire: it reaches `half_width` to all sides of the origin and is parked so that its
-    /// highest point is at `parked`, mm.
+    /// highest point is at `parked` along its normal, mm.
     pub fn new(field: &HeightField, half_width: f64, parked: f64) -> Self {
         let lines = lines(field, half_width);
         let heights: Vec<f64> = lines.iter().map(|&x| field.height(x)[0]).collect();
@@ -28,7 +31,7 @@ impl RigidGround {
         for (x, height) in lines.iter().zip(&heights) {
             for y in [-half_width, half_width] {
                 for z in [height - half_width, *height] {
-                    nodes.push([*x, y, z - rise]);
+                    nodes.push(field.axes.to_body([*x, y, z - rise]));
                 }
             }
         }
@@ -42,6 +45,7 @@ impl RigidGround {
             nodes,
             bricks,
             rise,
+            way: field.axes.to_body([0.0, 0.0, rise]),
         }
     }
 }
@@ -71,11 +75,12 @@ mod tests {
     use super::*;
     use fem::cell::element::Order;
     use fem::cell::mesh::Mesh;
-    use fem::load::obstacle::StationFunctions;
+    use fem::load::obstacle::{GroundAxes, StationFunctions};
     use fem::solid::SolidGeometry;
 
     fn field(depths: &[f64]) -> HeightField {
         HeightField {
+            axes: GroundAxes::LEVEL,
             base: -50.0,
             spacing: 5.5,
             functions: StationFunctions::BSpline,
@@ -106,6 +111,23 @@ mod tests {
         assert!((ground.rise - 2.0).abs() < 1e-12);
         let top = ground.nodes.iter().map(|node| node[2]).fold(-1e9, f64::max);
         assert!((top + 51.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn ground_below_a_wheel_that_leans_rises_along_its_normal() {
+        let level = field(&[1.0; 5]);
+        let axes = GroundAxes::below(0.2);
+        let leaning = HeightField { axes, ..level };
+        let ground = RigidGround::new(&leaning, 75.0, -51.0);
+        let [_, _, up] = axes.vectors();
+        for (way, up) in ground.way.iter().zip(up) {
+            assert!((way - 2.0 * up).abs() < 1e-12);
+        }
+        for node in ground.nodes.iter().skip(1).step_by(2) {
+            let arrived = [0, 1, 2].map(|i| node[i] + ground.way[i]);
+            assert!(leaning.gap(arrived).abs() < 1e-12);
+        }
+        assert!(volumes(&ground).iter().all(|volume| *volume > 0.0));
     }
 
     #[test]

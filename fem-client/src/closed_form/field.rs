@@ -97,6 +97,7 @@ impl Field {
         Response {
             reaction_n: self.scale * 13.0 * mean_depth.powf(1.3) / self.softness,
             force_n: None,
+            moment_nmm: None,
             depth_mm: self.stations[self.stations.len() / 2].1,
             locations: self.locations(),
             section: Section {
@@ -272,6 +273,7 @@ impl Field {
             inflated: vec![self.radius_mm],
             pressure_mpa: scene.pressure.internal_mpa,
             depths_mm: scene.ground.depths_mm.clone(),
+            camber_deg: scene.ground.camber_deg,
             equilibrium: self
                 .stations
                 .iter()

@@ -79,11 +79,12 @@ impl Scene {
         Self::from_value(&document, pointer, faults)
     }
 
-    /// The scene as a document in which the ground's shift stands even where it is nowhere, so that its entries have paths.
+    /// The scene as a document in which the ground's shift and camber stand even where there are none, so that they have paths.
     fn to_open_value(&self) -> Value {
         let mut document = self.to_value();
         if let Some(ground) = document.get_mut("ground").and_then(Value::as_object_mut) {
             ground.insert(SHIFT.to_owned(), json!(self.ground.shift_mm));
+            ground.insert(CAMBER.to_owned(), json!(self.ground.camber_deg));
         }
         document
     }
@@ -131,14 +132,20 @@ pub fn put_in(document: &mut Value, path: &str, value: Value, faults: &mut Vec<F
     }
 }
 
-/// The field of the ground that its document lacks where it is nowhere.
+/// Fields of the ground that its document lacks where they are nothing.
 const SHIFT: &str = "shift_mm";
+const CAMBER: &str = "camber_deg";
 
 /// The number at a path of a scene's canonical document, read without checking the rest of it; `None` when there is none.
 pub fn number_in(document: &Value, path: &str) -> Option<f64> {
     let steps = parse_path(path)?;
-    if let [Step::Name("ground"), Step::Name(SHIFT), Step::Index(0 | 1)] = steps.as_slice()
-        && document.get("ground")?.get(SHIFT).is_none()
+    let left_out = match steps.as_slice() {
+        [Step::Name("ground"), Step::Name(SHIFT), Step::Index(0 | 1)] => Some(SHIFT),
+        [Step::Name("ground"), Step::Name(CAMBER)] => Some(CAMBER),
+        _ => None,
+    };
+    if let Some(field) = left_out
+        && document.get("ground")?.get(field).is_none()
     {
         return Some(0.0);
     }
@@ -301,6 +308,19 @@ mod tests {
         assert_eq!(scene.ground.depths_mm, [1.0, 0.7, 1.0, 1.0, 1.0]);
         assert_eq!(scene.pressure.internal_mpa, 0.0);
         assert_eq!(scene.number_at("ground.depths_mm[1]"), Ok(0.7));
+    }
+
+    #[test]
+    fn a_camber_has_a_path_where_there_is_none() {
+        let (mut scene, path) = (Scene::default(), "ground.camber_deg");
+        assert_eq!(scene.number_at(path), Ok(0.0));
+        assert_eq!(number_in(&scene.to_value(), path), Some(0.0));
+        scene.set(path, &json!(7.5)).unwrap();
+        assert_eq!(scene.number_at(path), Ok(7.5));
+        assert_eq!(number_in(&scene.to_value(), path), Some(7.5));
+        assert!(scene.set(path, &json!(-31)).is_err());
+        scene.set(path, &json!(0)).unwrap();
+        assert_eq!(scene, Scene::default());
     }
 
     #[test]

@@ -16,6 +16,8 @@ use super::shared_ranges::LENGTH;
 pub const LOAD: Range = Range::new(0.0, 1e9, "N");
 /// Depths of the ground below the inflated tire.
 pub const DEPTH: Range = Range::new(0.0, LENGTH.high, "mm");
+/// Inclinations of the wheel.
+const CAMBER: Range = Range::new(-30.0, 30.0, "degrees");
 const WAY: Range = Range::new(-LENGTH.high, LENGTH.high, "mm");
 /// Most stations of the ground.
 const MAX_STATIONS: usize = 21;
@@ -23,7 +25,7 @@ const MAX_STATIONS: usize = 21;
 const USUAL_STATIONS: usize = 5;
 const USUAL_DEPTH: f64 = 1.0;
 
-/// Rigid height field over stations along the circumference, each pressed in by its own depth.
+/// Rigid height field over stations along the circumference, each pressed in by its own depth, below a wheel that may lean.
 #[derive(Debug, Clone, PartialEq, Table)]
 #[table(rule = check_one_given(), rule = check_stations(stations, depths_mm), then = completed)]
 pub struct Ground {
@@ -36,15 +38,19 @@ pub struct Ground {
     /// Shape functions of the height field.
     #[field(default = StationFunctions::Bspline)]
     pub station_functions: StationFunctions,
-    /// Depth of each station below the inflated outer radius, mm; none where a load is given.
+    /// Depth of each station, mm, along the ground's normal from where flat ground touches the inflated tire; none where a load is given.
     #[field(default = vec![USUAL_DEPTH; USUAL_STATIONS], with = depths)]
     pub depths_mm: Vec<f64>,
-    /// Vertical force with which a flat ground presses on the whole tire, N, in place of depths.
+    /// Force along its normal with which a flat ground presses on the whole tire, N, in place of depths.
     #[field(within = LOAD)]
     pub load_n: Option<f64>,
     /// Ways by which the ground is dragged once it presses, mm: along the wheel (x, rolling direction) and across it (y, along the axle).
     #[field(omitted, within = Each::of("a list of 2 ways in mm, along the wheel and across it", WAY))]
     pub shift_mm: [f64; 2],
+    /// Inclination of the wheel to the ground's normal, degrees, right-handed about x: a positive one leans the top towards -y and presses the side at negative section
+    /// angles.
+    #[field(omitted, within = CAMBER)]
+    pub camber_deg: f64,
 }
 
 /// Shape functions of the height field; they sum to one everywhere.
@@ -81,11 +87,16 @@ mod depths {
 }
 
 impl Ground {
-    /// Whether left and right of the contact centre are alike.
+    /// Whether before and behind the contact centre are alike.
     pub fn is_symmetric(&self) -> bool {
         let depths = &self.depths_mm;
         let is_even = depths.iter().zip(depths.iter().rev()).all(|(a, b)| a == b);
         is_even && self.shift_mm[0] == 0.0
+    }
+
+    /// Whether both sides of the wheel's middle plane are alike.
+    pub fn is_alike_across(&self) -> bool {
+        self.shift_mm[1] == 0.0 && self.camber_deg == 0.0
     }
 
     /// Whether it is dragged.

@@ -69,6 +69,9 @@ const FAULTY: &str = r##"
 * ground = { stations = 4 } -> /ground/stations
 * ground = { stations = 3, depths_mm = [1, 1] } -> /ground/stations
 * ground = { load_n = 13, depths_mm = [1] } -> /ground/load_n
+* ground = { camber_deg = 31 } -> /ground/camber_deg: must be a number from -30 to 30
+* ground = { camber_deg = nan } -> /ground/camber_deg
+* ground = { camber_deg = 'steep' } -> /ground/camber_deg
 * ground = { load_n = nan, stations = 4 } -> /ground/load_n | /ground/stations
 * ground = { shift_mm = [0.5, 0] } -> /ground/shift_mm: needs contact.friction
 * contact = { friction = 0.5 }
@@ -187,6 +190,18 @@ fn a_shift_is_two_ways_within_the_section_on_ground_with_friction() {
     let still = Scene::from_toml("[ground]\nshift_mm = [0, -0.0]").unwrap();
     assert_eq!(still, Scene::default());
     assert_eq!(still.canonical_json(), Scene::default().canonical_json());
+}
+
+#[test]
+fn an_upright_wheel_is_the_one_that_was_there_before_wheels_could_lean() {
+    let read = |camber: &str| Scene::from_toml(&format!("[ground]\ncamber_deg = {camber}"));
+    for camber in ["0", "-0.0"] {
+        let upright = read(camber).unwrap();
+        assert_eq!(upright, Scene::default());
+        assert_eq!(upright.canonical_json(), Scene::default().canonical_json());
+    }
+    let ground = read("-12.5").unwrap().ground;
+    assert!(ground.camber_deg == -12.5 && !ground.is_alike_across() && ground.is_symmetric());
 }
 
 #[test]

@@ -159,6 +159,8 @@ pub struct StartState {
     pub pressure_mpa: f64,
     /// Station depths of the equilibrium, mm.
     pub depths_mm: Vec<f64>,
+    /// Inclination of the wheel there, degrees.
+    pub camber_deg: f64,
     /// Unknowns of the equilibrium.
     pub equilibrium: Vec<f64>,
 }

@@ -14,13 +14,16 @@ use crate::solver::value_range::Extremes;
 /// y meridional.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct Response {
-    /// Vertical force of the ground on the whole tire, N.
+    /// Force of the ground on the whole tire along the ground's normal, N.
     pub reaction_n: f64,
-    /// Force of the ground on the whole tire, N: along the wheel (x), along the axle (y) and upwards (z, the reaction). Friction pulls the way that the
-    /// ground is dragged. Absent where the solver doesn't tell.
+    /// Force of the ground on the whole tire, N, in the wheel's frame: along the wheel (x), along the axle (y) and in the wheel's plane upwards (z, the reaction of
+    /// an upright wheel). Friction pulls the way that the ground is dragged. Absent where the solver doesn't tell.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub force_n: Option<[f64; 3]>,
-    /// Height of the ground at the contact centre above the inflated outer radius, mm.
+    /// Moment of the ground's forces about the wheel's centre, N mm, in the wheel's frame: x, y, z as `force_n`. Absent where the solver doesn't tell.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub moment_nmm: Option<[f64; 3]>,
+    /// Height of the ground at the contact centre, mm, along its normal from where flat ground touches the inflated tire.
     pub depth_mm: f64,
     /// P1, P2, ... in order.
     pub locations: Vec<LocationStrain>,

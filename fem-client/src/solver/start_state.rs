@@ -6,15 +6,19 @@
 //! |---|---|
 //! | `strainsite-start` | 16 |
 //! | version, u32 | 4 |
-//! | inflated_key, inflated, pressure_mpa, depths_mm, equilibrium | as they come |
+//! | inflated_key, inflated, pressure_mpa, depths_mm, camber_deg, equilibrium | as they come |
 //! | SHA-256 of all before | 32 |
+//!
+//! Version 1 has no camber_deg: all its wheels were upright.
 
 use sha2::{Digest, Sha256};
 
 use crate::solver::StartState;
 
 const MAGIC: &[u8; 16] = b"strainsite-start";
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
+/// The version before wheels could lean.
+const UPRIGHT: u32 = 1;
 const HASH_BYTES: usize = 32;
 
 /// Bytes that aren't a start state.
@@ -49,6 +53,7 @@ impl StartState {
         put_numbers(&mut bytes, &self.inflated);
         bytes.extend_from_slice(&self.pressure_mpa.to_le_bytes());
         put_numbers(&mut bytes, &self.depths_mm);
+        bytes.extend_from_slice(&self.camber_deg.to_le_bytes());
         put_numbers(&mut bytes, &self.equilibrium);
         let hash = Sha256::digest(&bytes);
         bytes.extend_from_slice(&hash);
@@ -67,7 +72,7 @@ impl StartState {
             rest: &bytes[MAGIC.len()..],
         };
         let version = u32::from_le_bytes(cursor.take()?);
-        if version != VERSION {
+        if ![UPRIGHT, VERSION].contains(&version) {
             return Err(StartStateError::OtherVersion { found: version });
         }
         let (body, hash) = bytes
@@ -83,6 +88,10 @@ impl StartState {
             inflated: cursor.numbers()?,
             pressure_mpa: f64::from_le_bytes(cursor.take()?),
             depths_mm: cursor.numbers()?,
+            camber_deg: match version {
+                UPRIGHT => 0.0,
+                _ => f64::from_le_bytes(cursor.take()?),
+            },
             equilibrium: cursor.numbers()?,
         };
         if cursor.rest.len() == HASH_BYTES {
@@ -152,6 +161,7 @@ mod tests {
             inflated: vec![0.1 + 0.2, -0.0, f64::MIN_POSITIVE / 2.0],
             pressure_mpa: 0.2,
             depths_mm: vec![],
+            camber_deg: -7.5,
             equilibrium: (0..1000).map(|i| f64::from(i).sin()).collect(),
         }
     }
@@ -170,6 +180,24 @@ mod tests {
         assert_eq!(bits(&after.inflated), bits(&before.inflated));
         assert_eq!(bits(&after.equilibrium), bits(&before.equilibrium));
         assert_eq!(after.to_bytes(), before.to_bytes());
+    }
+
+    #[test]
+    fn a_state_of_the_version_before_is_upright() {
+        let upright = StartState {
+            depths_mm: vec![1.0, 0.5],
+            camber_deg: 0.0,
+            ..state()
+        };
+        let mut bytes = upright.to_bytes();
+        bytes[MAGIC.len()..MAGIC.len() + 4].copy_from_slice(&UPRIGHT.to_le_bytes());
+        let after = HASH_BYTES + 8 * (upright.equilibrium.len() + 1);
+        let camber = bytes.len() - after - 8;
+        bytes.drain(camber..camber + 8);
+        let body = bytes.len() - HASH_BYTES;
+        let hash = Sha256::digest(&bytes[..body]);
+        bytes[body..].copy_from_slice(&hash);
+        assert_eq!(StartState::from_bytes(&bytes), Ok(upright));
     }
 
     #[test]

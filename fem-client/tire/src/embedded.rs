@@ -3,6 +3,7 @@
 use std::sync::Arc;
 use std::time::Instant;
 
+use fem::load::contact::Wrench;
 use fem::newton::iteration::{Effort, Newton, NewtonSettings};
 use fem::newton::path::PathReport;
 use fem::problem::{Loads, State};
@@ -10,12 +11,12 @@ use fem::problem::{Loads, State};
 use crate::mesh::tire_grid::{Extent, MeshPlan};
 use crate::mesh_error;
 use crate::model::{
-    TireModel, depth_of_load, extent, ground, inflated_key, mesh_plan, mesh_plan_for,
+    TireModel, depth_of_load, extent, ground, ground_axes, inflated_key, mesh_plan, mesh_plan_for,
 };
 use crate::neighbourhood::{GroundPlace, Neighbourhood, Neighbourhoods, Pressed};
 use crate::omission;
 use crate::readout::surface_reader::{Diagnostics, Reader};
-use crate::session::{Session, ToldSolve, VariedScene, standing};
+use crate::session::{Session, ToldSolve, VariedScene, standing, target};
 use fem_client::scene::Scene;
 use fem_client::solver::Coarser;
 use fem_client::solver::Omission;
@@ -111,9 +112,10 @@ impl EmbeddedSolver {
         let Some(varied) = VariedScene::of(request)? else {
             return Ok(Vec::new());
         };
+        // On both sides of a film a state isn't made of mirror images.
         let own = extent(request.scene);
-        // The whole tire's states aren't made of mirror images.
-        if varied.extent == own || varied.extent != Extent::Full {
+        let is_widened = own.is_whole_across() != varied.extent.is_whole_across();
+        if !is_widened || request.scene.film.is_none() {
             return varied.derivatives(solved);
         }
         let begin = Instant::now();
@@ -190,11 +192,20 @@ fn solve_near(
         report: &pressed.report,
         iterations: pressed.iterations,
         friction: match mirrored {
-            true => [0.0 - pressed.friction[0], pressed.friction[1]],
+            true => exchanged(&pressed.friction),
             false => pressed.friction,
         },
     };
     Ok(session.answer(request, begin, found, &target))
+}
+
+/// Force and moment with left and right exchanged.
+fn exchanged(Wrench { force, moment }: &Wrench) -> Wrench {
+    let ([x, y, z], [mx, my, mz]) = (force, moment);
+    Wrench {
+        force: [0.0 - x, *y, *z],
+        moment: [*mx, 0.0 - my, 0.0 - mz],
+    }
 }
 
 /// Presses to the depths of one of two mirrored grounds; says whether it is the other one.
@@ -249,7 +260,7 @@ fn solve_afresh(
     let mut session = session(request, &model, newton);
     let inflated = session.inflate(near_inflated)?;
     let target = session.target(&inflated);
-    let near_loads = start.map(|start| start_loads(start, &target));
+    let near_loads = start.map(|start| start_loads(request.scene, start, &model, &inflated));
     let near = near_equilibrium.as_ref().zip(near_loads.as_ref());
     let near = near.filter(|_| request.scene.contact.friction == 0.0);
     let pressed = session.press(&inflated, &target, near)?;
@@ -268,11 +279,19 @@ fn solve_afresh(
 /// The scene's ground below the undeformed tire, raised a little: inflation moves wall and ground alike.
 fn expected_contact(scene: &Scene) -> Loads {
     let margin = CONTACT_MARGIN * scene.geometry.wall_mm + depth_of_load(scene);
-    let radius = scene.geometry.outer_radius_mm - margin;
+    let distance = undeformed_distance(scene) - margin;
     Loads {
-        ground: Some(ground(&scene.ground, radius)),
+        ground: Some(ground(&scene.ground, distance)),
         ..Loads::default()
     }
+}
+
+/// Distance of the ground from the axle's middle at which it touches the undeformed tire, mm: it rests on the section's circle.
+fn undeformed_distance(scene: &Scene) -> f64 {
+    let geometry = &scene.geometry;
+    let centre_radius = geometry.outer_radius_mm - geometry.section_radius_mm;
+    let [_, _, up] = ground_axes(&scene.ground).vectors();
+    geometry.outer_radius_mm - centre_radius * (1.0 - up[2])
 }
 
 fn session<'m>(
@@ -288,12 +307,17 @@ fn session<'m>(
     }
 }
 
-/// The loads at which a start state is in equilibrium, but for the inflated radius.
-fn start_loads(start: &StartState, target: &Loads) -> Loads {
+/// The loads at which a start state is in equilibrium, but for the inflated tire's size.
+fn start_loads(scene: &Scene, start: &StartState, model: &TireModel, inflated: &State) -> Loads {
+    let mut ground = scene.ground.clone();
+    ground.camber_deg = start.camber_deg;
+    let target = target(scene, model, inflated);
     Loads {
         pressure: start.pressure_mpa,
-        ..target.with_depths(&start.depths_mm)
+        ground: Some(model.ground_below(&ground, inflated)),
+        ..target
     }
+    .with_depths(&start.depths_mm)
 }
 
 /// States that a solve found.
@@ -303,8 +327,8 @@ struct Found<'a> {
     equilibrium: State,
     report: &'a PathReport,
     iterations: usize,
-    /// Friction's force on the meshed part along x and y, N.
-    friction: [f64; 2],
+    /// Friction's force and moment on the meshed part.
+    friction: Wrench,
 }
 
 impl Session<'_> {
@@ -326,7 +350,7 @@ impl Session<'_> {
                 .map(|step| step.iter().map(|r| r.worst()).collect())
                 .collect(),
             model: self.model.summary(scene, self.newton.unknowns()),
-            friction_n: found.friction,
+            friction: found.friction,
         };
         let state = StartState {
             inflated_key: found.inflated_key,
@@ -336,6 +360,7 @@ impl Session<'_> {
                 .ground
                 .as_ref()
                 .map_or(Vec::new(), |ground| ground.depths.clone()),
+            camber_deg: scene.ground.camber_deg,
             equilibrium: equilibrium.to_flat(),
         };
         Solved {

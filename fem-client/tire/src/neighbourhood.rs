@@ -8,6 +8,8 @@ use std::cmp::Ordering;
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
+use fem::load::contact::Wrench;
+use fem::load::obstacle::HeightField;
 use fem::newton::iteration::Newton;
 use fem::newton::path::PathReport;
 use fem::newton::tangent::Tangent;
@@ -15,7 +17,7 @@ use fem::problem::{Loads, State};
 use sha2::{Digest, Sha256};
 
 use crate::mesh::tire_grid::{Extent, MeshPlan};
-use crate::model::{TireModel, ground};
+use crate::model::TireModel;
 use fem_client::hexadecimal::hexadecimal;
 use fem_client::scene::{Film, Ground, Scene};
 use fem_client::solver::StartState;
@@ -47,8 +49,8 @@ pub(crate) struct Pressed {
     pub(crate) state: State,
     pub(crate) report: PathReport,
     pub(crate) iterations: usize,
-    /// Friction's force on the meshed part along x and y, N.
-    pub(crate) friction: [f64; 2],
+    /// Friction's force and moment on the meshed part.
+    pub(crate) friction: Wrench,
 }
 
 /// Place of the ground of some loads.
@@ -94,13 +96,16 @@ impl Neighbourhood {
     /// Makes the neighbourhood; `None` when the state belongs to another mesh or inflation, or its tangent can't be had.
     fn new(scene: &Scene, plan: &MeshPlan, extent: Extent, start: &StartState) -> Option<Self> {
         let model = TireModel::new(scene, plan, extent);
-        let inflated = model.fit(&start.inflated)?;
-        let equilibrium = model.fit(&start.equilibrium)?;
-        let radius = model.crown_radius(&inflated);
-        let depths = of_start(scene, start);
+        let fit = |flat: &[f64]| match scene.ground.is_dragged() {
+            true => model.fit(flat),
+            false => model.fit_sides(flat),
+        };
+        let (inflated, equilibrium) = (fit(&start.inflated)?, fit(&start.equilibrium)?);
+        let ground = of_start(scene, start);
+        let field = model.ground_below(&ground, &inflated);
         let loads = Loads {
             pressure: start.pressure_mpa,
-            ground: Some(ground(&depths, radius)),
+            ground: Some(field.clone()),
             ..Loads::default()
         };
         let film = scene.film.as_ref();
@@ -108,7 +113,10 @@ impl Neighbourhood {
         let deepest = start.depths_mm.iter().copied().fold(0.0, f64::max);
         let reach = REACH[0] * deepest + REACH[1] * scene.geometry.wall_mm;
         let raised = Loads {
-            ground: Some(ground(&depths, radius - reach)),
+            ground: Some(HeightField {
+                base: field.base + reach,
+                ..field
+            }),
             ..loads.clone()
         };
         let mut newton = Newton::for_contact(&model.problem, &equilibrium, &raised).ok()?;
@@ -120,7 +128,7 @@ impl Neighbourhood {
             equilibrium,
             loads,
             tangent,
-            symmetric: extent == Extent::Half && depths.is_symmetric() && film_is_symmetric,
+            symmetric: extent == Extent::Half && ground.is_symmetric() && film_is_symmetric,
             pressed: Mutex::default(),
         })
     }
@@ -191,19 +199,24 @@ impl Neighbourhoods {
 
 /// The ground of a start before it is dragged: wherever a scene's is dragged to, it is pressed first.
 fn of_start(scene: &Scene, start: &StartState) -> Ground {
-    let ground = scene.ground.undragged();
-    ground.at_depths(start.depths_mm.clone())
+    Ground {
+        camber_deg: start.camber_deg,
+        ..scene.ground.undragged()
+    }
+    .at_depths(start.depths_mm.clone())
 }
 
 /// Hash of all that a neighbourhood is made of.
 fn key(scene: &Scene, plan: &MeshPlan, extent: Extent, start: &StartState) -> String {
+    // A model whose ground may lean is prepared for it, wherever it starts.
+    let leans = scene.ground.camber_deg != 0.0;
     let scene = Scene {
         ground: of_start(scene, start),
         ..scene.clone()
     };
     let mut hash = Sha256::new();
     hash.update(format!(
-        "{scene:?} {plan:?} {extent:?} {}",
+        "{scene:?} {leans} {plan:?} {extent:?} {}",
         start.inflated_key
     ));
     for value in start.inflated.iter().chain(&start.equilibrium) {

@@ -29,7 +29,7 @@ impl Session<'_> {
             report.steps.extend(steps.steps);
         }
         Ok(Pressed {
-            friction: self.friction_force(&state, target),
+            friction: self.friction(&state, target),
             state,
             report,
             iterations: self.newton.effort.iterations - before,

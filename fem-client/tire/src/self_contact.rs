@@ -6,7 +6,6 @@
 
 use fem::problem::State;
 
-use crate::mesh::tire_grid::Extent;
 use crate::model::TireModel;
 
 /// Share of the section's radius that the polyline may cross the middle plane by: the crown lies on it, up to round-off.
@@ -18,7 +17,7 @@ pub(crate) fn touches_itself(model: &TireModel, state: &State) -> bool {
     (0..model.grid.theta_nodes()).any(|theta| {
         let line = section(model, state, theta);
         // A whole section's other half is meshed: it crosses itself there.
-        let is_halved = model.grid.extent != Extent::Full;
+        let is_halved = !model.grid.extent.is_whole_across();
         let beyond = is_halved && line.iter().any(|p| p[1] < -tolerance);
         beyond || crosses_itself(&line)
     })

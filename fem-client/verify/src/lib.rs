@@ -9,8 +9,7 @@
 //! - `cylinder`: inflated thick cylinder in plane strain
 //! - `sphere`: inflated thick sphere, through its limit point
 //! - `cook`: Cook's membrane
-//! - `hertz`: contact of a cylinder and of a ball with a plane
-//! - `ring`: a ring between plates
+//! - `pressed`: contact of a cylinder and of a ball with a plane, level or leaning, and of a ring between plates
 //! - `glued_bar`: a bar on glue on a stretched body
 //! - `strip`: a stiff strip glued on a stretched half plane
 //! - [`extremes`]: the ends of what can be asked
@@ -24,12 +23,10 @@ pub(crate) mod cylinder;
 pub mod extremes;
 pub mod family;
 mod glued_bar;
-pub(crate) mod hertz;
 pub(crate) mod homogeneous;
 pub(crate) mod known_case;
 pub(crate) mod mesh_refinement;
-pub(crate) mod plate;
-mod ring;
+mod pressed;
 pub(crate) mod sphere;
 mod strip;
 
@@ -37,16 +34,17 @@ pub use family::{Family, Solve, Unsolved};
 pub use known_case::{Case, Measure, Slope, Verdict};
 
 /// All families, roughly from the quickest to the slowest.
-pub const FAMILIES: [Family; 11] = [
+pub const FAMILIES: [Family; 12] = [
     Family::new("homogeneous", homogeneous::stretches),
     Family::new("patch", homogeneous::others),
     Family::new("cook", cook::cases),
     Family::new("cylinder", cylinder::cases),
-    Family::new("ring", ring::cases),
+    Family::new("ring", pressed::ring::cases),
     Family::new("strip", strip::cases),
     Family::new("glue", glued_bar::cases),
-    Family::new("hertz-line", hertz::line),
+    Family::new("hertz-line", pressed::hertz::line),
+    Family::new("leaning", pressed::leaning::cases),
     Family::new("sphere", sphere::mooney_rivlin),
-    Family::new("hertz-ball", hertz::ball),
+    Family::new("hertz-ball", pressed::hertz::ball),
     Family::new("sphere-limit", sphere::limit_points),
 ];

@@ -13,7 +13,7 @@ use crate::{CellShape, DataArray, VtuGrid};
 use fem_client::scene::Scene;
 use fem_client::solver::StartState;
 use tire::mesh::tire_grid::Extent;
-use tire::model::{TireModel, extent, ground, mesh_plan};
+use tire::model::{TireModel, extent, mesh_plan};
 
 /// A tire's mesh with its two states.
 #[derive(Debug)]
@@ -68,11 +68,10 @@ impl Body {
 
     /// Both skins of the whole wheel, and the ground.
     pub fn skins(&self) -> WheelSkins {
-        let radius = self.model.crown_radius(&self.inflated);
         // Ground that presses with a force stands where the state says.
         let ground = HeightField {
             depths: self.depths_mm.clone(),
-            ..ground(&self.scene.ground, radius)
+            ..self.model.ground_below(&self.scene.ground, &self.inflated)
         };
         WheelSkins::of(&self.model, [&self.inflated, &self.equilibrium], &ground)
     }
@@ -113,6 +112,9 @@ impl Body {
             Extent::Full => "the whole tire",
             Extent::Half => {
                 "half of the tire, y >= 0: the other half is its mirror image at the plane y = 0"
+            }
+            Extent::Front => {
+                "half of the tire, x >= 0: the other half is its mirror image at the plane x = 0"
             }
             Extent::Quarter => {
                 "a quarter of the tire, x >= 0 and y >= 0: the rest are its mirror images at the planes x = 0 and y = 0"

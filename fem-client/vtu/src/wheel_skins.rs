@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use fem::load::obstacle::HeightField;
 use fem::problem::State;
 use fem::tensor::Vector;
-use tire::mesh::tire_grid::{Extent, TireGrid};
+use tire::mesh::tire_grid::TireGrid;
 use tire::model::TireModel;
 
 /// Points of the ground's profile, at least, from one end to the other.
@@ -28,8 +28,10 @@ pub struct WheelSkins {
     pub inner: Skin,
     /// The tread and the walls' outer sides.
     pub outer: Skin,
-    /// The ground's height over x in the equilibrium, mm: x ascending, z from the wheel's centre.
+    /// The ground's height over x in the equilibrium, mm: x ascending, z from the wheel's centre along the ground's normal.
     pub ground: Vec<[f64; 2]>,
+    /// Inclination of the wheel to that normal, degrees, right-handed about x.
+    pub camber_deg: f64,
 }
 
 /// A surface; x in the rolling direction, y along the axle, z upward, from the wheel's centre.
@@ -83,6 +85,7 @@ impl WheelSkins {
             inner: skin(0),
             outer: skin(grid.rho_nodes() - 1),
             ground: profile(ground),
+            camber_deg: ground.axes.angle.to_degrees(),
         }
     }
 }
@@ -95,9 +98,9 @@ fn rows(grid: &TireGrid) -> Vec<Line> {
         is_mirrored: false,
     };
     let modelled = (0..grid.phi_nodes()).map(line);
-    match grid.extent {
-        Extent::Full => modelled.collect(),
-        Extent::Half | Extent::Quarter => {
+    match grid.extent.is_whole_across() {
+        true => modelled.collect(),
+        false => {
             let images = (1..grid.phi_nodes()).rev().map(line).map(image);
             images.chain(modelled).collect()
         }
@@ -111,9 +114,9 @@ fn columns(grid: &TireGrid) -> Vec<Line> {
         index,
         is_mirrored: false,
     };
-    match grid.extent {
-        Extent::Full | Extent::Half => (0..grid.theta_nodes()).map(line).collect(),
-        Extent::Quarter => {
+    match grid.extent.is_whole_along() {
+        true => (0..grid.theta_nodes()).map(line).collect(),
+        false => {
             // The far side stands in the plane of symmetry: it is there once, as the first column.
             let last = grid.theta_nodes() - 1;
             let images = (1..=last).rev().map(line).map(image);

@@ -194,6 +194,7 @@ impl<'p> Assembler<'p> {
         let (Some(surface), Some(ground)) = (&self.problem.contact, loads.ground_in(state)) else {
             return;
         };
+        let [_, _, up] = ground.axes.vectors();
         for (index, nodes) in surface.surface.iter().enumerate() {
             self.face.clear(false);
             self.face.move_to(self.problem, state, nodes);
@@ -203,7 +204,7 @@ impl<'p> Assembler<'p> {
                 ..
             } = &mut self.face;
             if surface.integrate(&ground, index, positions, &state.anchors, residual, None) {
-                target.add_contact(&self.setup.equations, nodes, residual);
+                target.add_contact(&self.setup.equations, nodes, residual, &up);
                 target.touches_outside |= !served[index];
             }
         }

@@ -150,8 +150,7 @@ pub(crate) fn contact_faces(problem: &Problem, state: &State, loads: &Loads) -> 
     }
 }
 
-/// Displacements that contact on these faces can push: the ground has no slope across the wheel, so y is free of it but
-/// for friction.
+/// Displacements that contact on these faces can push: level ground has no slope along y, so that y is free of it but for friction.
 fn border_axes(problem: &Problem, faces: &[bool]) -> Vec<[bool; 3]> {
     let mut border = vec![[false; 3]; problem.mesh.nodes.len()];
     let Some(contact) = &problem.contact else {
@@ -159,7 +158,7 @@ fn border_axes(problem: &Problem, faces: &[bool]) -> Vec<[bool; 3]> {
     };
     for (nodes, _) in contact.surface.iter().zip(faces).filter(|(_, of)| **of) {
         for &node in nodes {
-            border[node as usize] = [true, contact.friction.coefficient > 0.0, true];
+            border[node as usize] = [true, contact.acts_across(), true];
         }
     }
     border

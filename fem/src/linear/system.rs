@@ -17,7 +17,7 @@ pub struct Residuals {
     pub min_volume_ratio: f64,
     /// Whether a face that the solver isn't ready for touches the ground.
     pub touches_outside: bool,
-    /// Vertical force of the ground, N.
+    /// Force of the ground along its z axis, N.
     pub ground_force: f64,
     /// Forces that meet at held displacements, N: node, axis; 0 at free ones.
     held: Vec<Vector>,
@@ -89,10 +89,19 @@ impl Residuals {
         self.held.clone()
     }
 
-    /// Adds nodal forces of a touching face.
-    pub(crate) fn add_contact(&mut self, equations: &Equations, nodes: &[u32], forces: &[f64]) {
+    /// Adds nodal forces of a face that touches ground whose z axis points along `up`.
+    pub(crate) fn add_contact(
+        &mut self,
+        equations: &Equations,
+        nodes: &[u32],
+        forces: &[f64],
+        up: &Vector,
+    ) {
         self.add(equations, nodes, forces);
-        self.ground_force -= forces.iter().skip(2).step_by(3).sum::<f64>();
+        for (axis, component) in up.iter().enumerate() {
+            let force: f64 = forces.iter().skip(axis).step_by(3).sum();
+            self.ground_force -= component * force;
+        }
         for (equation, force) in equations.of(nodes).zip(forces) {
             if equation != NONE {
                 self.contact[equation as usize] += force;

@@ -1,4 +1,49 @@
-//! The rigid ground: a height field z_g(x) that is constant across the wheel, and may be dragged sideways as a whole.
+//! The rigid ground: a height field z_g(x) that is constant across its own y axis, may lean about the x axis, and may be dragged as a whole.
+
+use crate::tensor::Vector;
+
+/// Axes of ground below a body that is turned about the x axis: those of the body, turned back.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GroundAxes {
+    /// Angle by which the body is turned, right-handed about x, rad.
+    pub angle: f64,
+    sin: f64,
+    cos: f64,
+}
+
+impl GroundAxes {
+    /// Axes of level ground.
+    pub const LEVEL: Self = Self {
+        angle: 0.0,
+        sin: 0.0,
+        cos: 1.0,
+    };
+
+    /// Axes below a body that is turned by an angle, rad.
+    pub fn below(angle: f64) -> Self {
+        let (sin, cos) = angle.sin_cos();
+        Self { angle, sin, cos }
+    }
+
+    /// Returns the unit vectors along the ground's x, y and z axis.
+    pub fn vectors(&self) -> [Vector; 3] {
+        [
+            [1.0, 0.0, 0.0],
+            [0.0, self.cos, -self.sin],
+            [0.0, self.sin, self.cos],
+        ]
+    }
+
+    /// Returns the coordinates of a body's point in these axes.
+    pub fn coordinates(&self, [x, y, z]: Vector) -> Vector {
+        [x, self.cos * y - self.sin * z, self.sin * y + self.cos * z]
+    }
+
+    /// Returns a vector of these axes in those of the body.
+    pub fn to_body(&self, [x, y, z]: Vector) -> Vector {
+        [x, self.cos * y + self.sin * z, self.cos * z - self.sin * y]
+    }
+}
 
 /// Shape of the stations' influence; both families sum to one everywhere.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -40,6 +85,8 @@ impl StationFunctions {
 /// Ground whose height is interpolated from stations along x. The body lies above it; a positive depth raises it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeightField {
+    /// Axes of the ground; heights are along their z axis.
+    pub axes: GroundAxes,
     /// Height of the ground at zero depth, mm.
     pub base: f64,
     /// Distance of neighbouring stations, mm; the middle one sits at x = 0 of the ground that isn't dragged.
@@ -48,11 +95,17 @@ pub struct HeightField {
     pub functions: StationFunctions,
     /// Depth of each station, mm. The functions of stations beyond the ends belong to the ends.
     pub depths: Vec<f64>,
-    /// Ways by which the ground is dragged along x and y, mm; stations and friction's anchors go with it.
+    /// Ways by which the ground is dragged along its x and y axis, mm; stations and friction's anchors go with it.
     pub shift: [f64; 2],
 }
 
 impl HeightField {
+    /// Gap between a body's point and the ground, along the ground's z axis, mm: negative below the ground.
+    pub fn gap(&self, position: Vector) -> f64 {
+        let [x, _, z] = self.axes.coordinates(position);
+        z - self.height(x)[0]
+    }
+
     /// Height (mm), slope and curvature (1/mm) at x (mm).
     pub fn height(&self, x: f64) -> [f64; 3] {
         let centre = (self.depths.len() as f64 - 1.0) / 2.0;
@@ -78,6 +131,7 @@ mod tests {
 
     fn field(functions: StationFunctions, depths: &[f64]) -> HeightField {
         HeightField {
+            axes: GroundAxes::LEVEL,
             base: -50.0,
             spacing: 5.5,
             functions,
@@ -123,6 +177,37 @@ mod tests {
             // Eighths, so that the shift is taken off without rounding.
             let x = f64::from(i) * 0.625;
             assert_eq!(dragged.height(x + 0.5), resting.height(x));
+        }
+    }
+
+    #[test]
+    fn level_axes_are_the_bodys_to_the_bit() {
+        for angle in [0.0, -0.0] {
+            let axes = GroundAxes::below(angle);
+            for point in [[0.1, -0.7, -49.3], [-3.0, 1e-9, 1e9]] {
+                assert_eq!(
+                    (axes.coordinates(point), axes.to_body(point)),
+                    (point, point)
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn ground_leans_the_other_way_than_the_body() {
+        // A body whose top leans to -y: the ground is nearer to it there.
+        let axes = GroundAxes::below(0.3);
+        let [_, _, up] = axes.vectors();
+        assert!(up[1] > 0.0 && (up[1] - 0.3f64.sin()).abs() < 1e-15);
+        let ground = HeightField {
+            axes,
+            ..field(StationFunctions::BSpline, &[0.0])
+        };
+        assert!(ground.gap([0.0, -10.0, -45.0]) < ground.gap([0.0, 10.0, -45.0]));
+        let point = [0.3, -1.7, 2.9];
+        let back = axes.to_body(axes.coordinates(point));
+        for i in 0..3 {
+            assert!((back[i] - point[i]).abs() < 1e-15);
         }
     }
 

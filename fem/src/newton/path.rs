@@ -88,7 +88,7 @@ pub fn follow(
     };
     let (mut reached, mut step) = (0.0, newton.settings.largest_load_step);
     let (mut cut, mut losses, before) = (false, 0, newton.effort.iterations);
-    if let Err(failure) = begin(newton, state, start) {
+    if let Err(failure) = begin(newton, state, start, target) {
         let loads = start.clone();
         return Err(Box::new(PathFailure::new(reached, loads, step, 0, failure)));
     }
@@ -133,10 +133,15 @@ pub fn follow(
     Ok(report)
 }
 
-/// Settles friction's anchors, and prepares for the contact that the start has.
-fn begin(newton: &mut Newton<'_>, state: &mut State, start: &Loads) -> Result<(), NotConverged> {
+/// Settles friction's anchors on the ground to come, and prepares for the contact that the start has.
+fn begin(
+    newton: &mut Newton<'_>,
+    state: &mut State,
+    start: &Loads,
+    target: &Loads,
+) -> Result<(), NotConverged> {
     if state.anchors.is_empty() {
-        let ground = start.ground_in(state);
+        let ground = start.towards(target, 0.0).ground_in(state);
         state.settle(newton.problem(), ground.as_ref());
     }
     newton

@@ -1,6 +1,6 @@
 //! Contact with ground that presses with a force instead of standing at a height.
 //!
-//! Let e be one at the vertical unknowns of the faces that may touch, and w = x - d e the border's increments `x` relative to ground that rises by `d`.
+//! Let e be the ground's vertical at the nodes of the faces that may touch, and w = x - d e the border's increments `x` relative to ground that rises by `d`.
 //! Contact depends on w alone, and its forces f bear the ground's: e . f(w) = -F. With S x + f = g, the condensed equilibrium of the body,
 //!
 //! > d = (F + e . (g - S w)) / (e . S e),
@@ -48,15 +48,20 @@ impl CondensedContact<'_> {
         (relative + Scale(rise) * &lift, rise)
     }
 
-    /// Returns the vector with a one at each vertical unknown.
+    /// Returns the increments by which all nodes of the faces rise by one along the ground's z axis.
     pub(super) fn lift(&self, unknowns: usize) -> Col<f64> {
         let mut lift = Col::zeros(unknowns);
-        let vertical = self
+        let [_, _, up] = self.ground.axes.vectors();
+        for nodes in self
             .faces
             .iter()
-            .flat_map(|face| face.places.iter().skip(2).step_by(3));
-        for place in vertical.flatten() {
-            lift[*place] = 1.0;
+            .flat_map(|face| face.places.chunks_exact(3))
+        {
+            for (place, component) in nodes.iter().zip(up) {
+                if let Some(place) = place {
+                    lift[*place] = component;
+                }
+            }
         }
         lift
     }
@@ -72,7 +77,7 @@ impl CondensedContact<'_> {
         }
         let nodes = self.faces.iter().flat_map(|face| &face.positions);
         let lowest = nodes
-            .map(|[x, _, z]| z - self.ground.height(*x)[0])
+            .map(|&position| self.ground.gap(position))
             .fold(f64::INFINITY, f64::min);
         let mut beyond = self.contact.penalty.ramp;
         for _ in 0..RAISINGS {

@@ -49,8 +49,9 @@ fn forces(newton: &mut Newton<'_>, state: &State, loads: &Loads) -> Forces {
     let contact = problem.contact.as_ref().expect("a bottom");
     let ground = loads.ground_in(state).expect("a ground");
     let position = |n| state.position(&problem.mesh, n);
-    let [x, y] = contact.friction_force(&ground, &state.anchors, position);
-    let normal = contact.resultant(&ground, position).force;
+    let friction = contact.friction_wrench(&ground, &state.anchors, position);
+    let [x, y, _] = friction.force;
+    let normal = contact.resultant(&ground, position).wrench.force;
     let mut top = [0.0; 3];
     for force in newton.reactions(state, loads) {
         for axis in 0..3 {

@@ -7,7 +7,7 @@ use crate::cube::{bottom, problem};
 use fem::cell::element::Order;
 use fem::load::contact::{ContactSurface, Penalty};
 use fem::load::friction::Friction;
-use fem::load::obstacle::{HeightField, StationFunctions};
+use fem::load::obstacle::{GroundAxes, HeightField, StationFunctions};
 use fem::newton::iteration::Newton;
 use fem::newton::path::{Stability, follow};
 use fem::newton::tangent::Tangent;
@@ -22,6 +22,7 @@ const KEPT: [f64; 5] = [0.10, 0.09, 0.06, -0.02, -0.06];
 fn over(depths: [f64; 5]) -> Loads {
     Loads {
         ground: Some(HeightField {
+            axes: GroundAxes::LEVEL,
             base: 0.0,
             spacing: 0.5,
             functions: StationFunctions::BSpline,

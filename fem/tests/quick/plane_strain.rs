@@ -6,7 +6,7 @@ use fem::cell::block::Block;
 use fem::cell::element::Order;
 use fem::cell::mesh::Surface;
 use fem::load::contact::{ContactSurface, Penalty};
-use fem::load::obstacle::{HeightField, StationFunctions};
+use fem::load::obstacle::{GroundAxes, HeightField, StationFunctions};
 use fem::load::pressure::PressureSurface;
 use fem::material::MooneyRivlin;
 use fem::newton::iteration::Newton;
@@ -133,6 +133,7 @@ fn loaded_block(order: Order) -> (Problem, Loads, f64) {
     problem.contact = Some(ContactSurface::new(&problem.mesh, lower.clone(), penalty));
     problem.pressure = Some(PressureSurface::new(lower));
     let ground = HeightField {
+        axes: GroundAxes::LEVEL,
         base: 0.0,
         spacing: 0.5,
         functions: StationFunctions::BSpline,
@@ -149,7 +150,7 @@ fn loaded_block(order: Order) -> (Problem, Loads, f64) {
     let state = solve(&problem, &loads);
     let contact = problem.contact.as_ref().expect("set above");
     let resultant = contact.resultant(&ground, |node| state.position(&problem.mesh, node));
-    let force = resultant.force[2];
+    let force = resultant.load;
     (problem, loads, force)
 }
 

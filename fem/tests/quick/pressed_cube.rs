@@ -6,7 +6,7 @@ use crate::cube::{bottom, problem};
 use fem::cell::element::Order;
 use fem::load::contact::{ContactSurface, Penalty};
 use fem::load::friction::Friction;
-use fem::load::obstacle::{HeightField, StationFunctions};
+use fem::load::obstacle::{GroundAxes, HeightField, StationFunctions};
 use fem::newton::iteration::Newton;
 use fem::newton::path::{Stability, follow};
 use fem::problem::{Loads, Problem, State};
@@ -24,6 +24,7 @@ const TOLERANCE: f64 = 1e-11;
 
 pub fn flat(depth: f64) -> HeightField {
     HeightField {
+        axes: GroundAxes::LEVEL,
         base: 0.0,
         spacing: 1.0,
         functions: StationFunctions::Hat,
@@ -93,7 +94,7 @@ fn solve(problem: &Problem, steps: f64) -> (State, Vector, Vector) {
     }
     let contact = problem.contact.as_ref().expect("set above");
     let resultant = contact.resultant(&flat(0.0), |n| state.position(&problem.mesh, n));
-    (state, top, resultant.force)
+    (state, top, resultant.wrench.force)
 }
 
 /// Uniform pressure and a homogeneous deformation, whatever the mesh inside; the ground bears what the supports do.

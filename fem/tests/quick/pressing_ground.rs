@@ -45,7 +45,7 @@ fn reaction(problem: &Problem, state: &State, target: &Loads) -> f64 {
     let ground = target.ground_in(state).expect("a ground");
     contact
         .resultant(&ground, |n| state.position(&problem.mesh, n))
-        .force[2]
+        .load
 }
 
 /// The force is met, and where the ground stands then it presses with that force: over six decades, up to a third of the cube's height, from ground that

@@ -200,7 +200,7 @@ fn reaction(model: &TireModel, pressed: &State, loads: &Loads) -> Result<f64, St
     };
     let mesh = &model.problem.mesh;
     let resultant = contact.resultant(field, |node| pressed.position(mesh, node));
-    Ok(resultant.force[2])
+    Ok(resultant.load)
 }
 
 /// Total stretches minus one at the centre of the inner surface, and those since inflation.

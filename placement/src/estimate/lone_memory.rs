@@ -11,9 +11,9 @@ use super::solve_time::CELLS;
 
 /// Memory of half the tire: bytes on the draft mesh, exponent of the cells.
 const HALF: (f64, f64) = (18e6, 1.25);
-/// Memory of a quarter, where the ground is alike on both sides.
+/// Memory of a quarter, where the ground is alike on all sides.
 const QUARTER: f64 = 0.5;
-/// Memory of the whole tire: dragged across, or with a film askew.
+/// Memory of the whole tire: a wheel that leans or is dragged across, on ground that isn't alike before and behind it, or with a film askew.
 const WHOLE: f64 = 4.0;
 /// Memory of a solve whose answer is differentiated, in those of the solve: the inflated and the pressed tangent are held, and both sides of a number.
 const DIFFERENTIATED: f64 = 2.2;
@@ -47,12 +47,12 @@ fn part(scene: &Scene) -> f64 {
     let film = scene.film.as_ref();
     let is_askew = film.is_some_and(|film| film.angle_deg % 90.0 != 0.0);
     let is_aside = film.is_some_and(|film| film.theta_deg != 0.0);
-    if is_askew || scene.ground.shift_mm[1] != 0.0 {
-        WHOLE
-    } else if is_aside || !scene.ground.is_symmetric() {
-        1.0
-    } else {
-        QUARTER
+    let is_alike_along = !is_aside && scene.ground.is_symmetric();
+    let is_alike_across = scene.ground.is_alike_across();
+    match (is_askew, is_alike_along, is_alike_across) {
+        (true, _, _) | (_, false, false) => WHOLE,
+        (_, true, true) => QUARTER,
+        _ => 1.0,
     }
 }
 
@@ -109,6 +109,27 @@ mod tests {
     }
 
     #[test]
+    fn a_wheel_that_leans_takes_half_of_the_tire() {
+        let leaning = |level: &str| {
+            [
+                ("model.level", json!(level)),
+                ("ground.camber_deg", json!(10)),
+            ]
+        };
+        for (level, peak) in [
+            ("draft", 31.3),
+            ("coarse", 137.4),
+            ("standard", 385.8),
+            ("reference", 945.8),
+        ] {
+            assert_bounds(&leaning(level), &[], peak);
+        }
+        let uneven = ("ground.depths_mm", json!([1, 1, 1, 1, 1.1]));
+        let changes = [leaning("coarse").as_slice(), &[uneven]].concat();
+        assert_bounds(&changes, &[], 413.9);
+    }
+
+    #[test]
     fn a_larger_part_of_the_tire_takes_more() {
         let coarse = ("model.level", json!("coarse"));
         let friction = ("contact.friction", json!(0.6));
@@ -117,7 +138,8 @@ mod tests {
         assert_bounds(&[coarse.clone(), uneven], &["pressure.internal_mpa"], 188.9);
         let dragged = |shift: Value| [coarse.clone(), friction.clone(), ("ground.shift_mm", shift)];
         assert_bounds(&dragged(json!([0.3, 0])), &[], 164.4);
-        assert_bounds(&dragged(json!([0, 0.3])), &[], 434.2);
+        assert_bounds(&dragged(json!([0, 0.3])), &[], 155.3);
+        assert_bounds(&dragged(json!([0.3, 0.3])), &[], 433.5);
         let film = |field: &'static str, value: f64| [coarse.clone(), (field, json!(value))];
         assert_bounds(&film("film.theta_deg", 0.0), &[], 66.9);
         assert_bounds(&film("film.theta_deg", 10.0), &[], 135.4);

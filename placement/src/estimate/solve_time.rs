@@ -23,7 +23,7 @@ const IMAGE_S: f64 = 0.003;
 const FRICTION: f64 = 24.0;
 /// A solve with a glued film, in solves without.
 const FILM: f64 = 2.0;
-/// A solve whose ground is dragged along the wheel, and one across it, in solves of a mesh of that size: on the coarse and the standard mesh.
+/// A solve whose ground is dragged along the wheel or across it, and one dragged both ways, in solves of a mesh of that size: on the coarse and the standard mesh.
 const DRAGGED: [f64; 2] = [1.3, 2.4];
 /// The tangents that the points near a cut point share, in solves from nothing.
 const TANGENTS: f64 = 0.6;
@@ -139,14 +139,14 @@ impl Task {
 }
 
 /// A mesh that reaches further around the wheel is longer, not thicker: time and memory grow in proportion. What asks for it presses with flat ground, of which
-/// half as much is meshed as the law's solves had; dragged across the wheel it needs twice as much.
+/// half as much is meshed as the law's solves had. Twice as much is where the wheel leans or is dragged across on ground that isn't alike before and behind it.
 fn stretch(scene: &Scene, readout: &Readout, solver: &dyn Solver) -> f64 {
     const SYMMETRIC: f64 = 0.5;
     const WHOLE: f64 = 2.0;
     let [own, read] = [solver.cells(scene), solver.cells_read(scene, readout)];
     let longer = read as f64 / own as f64;
-    let of_wheel = match (scene.ground.shift_mm[1] == 0.0, scene.ground.is_symmetric()) {
-        (false, _) => WHOLE,
+    let of_wheel = match (scene.ground.is_alike_across(), scene.ground.is_symmetric()) {
+        (false, false) => WHOLE,
         (true, true) if read > own => SYMMETRIC,
         _ => 1.0,
     };
@@ -157,7 +157,7 @@ fn stretch(scene: &Scene, readout: &Readout, solver: &dyn Solver) -> f64 {
 fn drag(scene: &Scene) -> f64 {
     match scene.ground.shift_mm {
         [0.0, 0.0] => 1.0,
-        [_, 0.0] => DRAGGED[0],
+        [_, 0.0] | [0.0, _] => DRAGGED[0],
         _ => DRAGGED[1],
     }
 }

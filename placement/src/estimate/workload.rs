@@ -335,7 +335,8 @@ fn points(
         return Vec::new();
     };
     let keys = keys(scenes, starts, readout);
-    let (tire_of_cut, symmetric) = (tire(cut), cut.ground.is_symmetric());
+    let tire_of_cut = tire(cut);
+    let symmetric = cut.ground.is_symmetric() && cut.ground.is_alike_across();
     let mut classes = HashSet::new();
     let how = |ordinal: usize, scene: &Scene, classes: &mut HashSet<Vec<u64>>| {
         if ordinal == 0 {

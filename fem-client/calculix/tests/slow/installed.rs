@@ -96,15 +96,26 @@ fn figures(solved: &Solved) -> [f64; 3] {
 
 #[test]
 fn both_solvers_approach_each_other_as_the_mesh_is_refined() {
+    assert_approach(&scene());
+}
+
+#[test]
+fn both_solvers_approach_each_other_on_a_wheel_that_leans() {
+    let mut scene = scene();
+    scene.ground.camber_deg = 10.0;
+    assert_approach(&scene);
+}
+
+/// Asserts that halved bricks bring the solvers together.
+fn assert_approach(scene: &Scene) {
     let Some(calculix) = calculix() else { return };
-    let scene = scene();
     let difference = |refinement| {
         let plan = plan(refinement);
         let ours = EmbeddedSolver::default()
-            .solve_on(&request(&scene), &plan)
+            .solve_on(&request(scene), &plan)
             .expect("an equilibrium");
         let theirs = calculix
-            .solve_on(&request(&scene), &plan)
+            .solve_on(&request(scene), &plan)
             .expect("an equilibrium");
         assert_eq!(ours.response.model.dofs, theirs.response.model.dofs);
         let (ours, theirs) = (figures(&ours), figures(&theirs));

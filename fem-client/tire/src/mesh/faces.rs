@@ -3,7 +3,7 @@
 use fem::cell::mesh::{Surface, SurfacePoint};
 
 use crate::mesh::grid_lines::locate;
-use crate::mesh::tire_grid::{Extent, TireGrid};
+use crate::mesh::tire_grid::TireGrid;
 
 impl TireGrid {
     /// Faces of a layer boundary, 0 the inner surface, ordered by theta, then phi; their normal x,1 x x,2 points outward.
@@ -77,25 +77,25 @@ impl TireGrid {
 
     /// Whether the wheel angle (rad) lies beyond the plane x = 0 of a quarter mesh.
     pub fn is_mirrored(&self, theta: f64) -> bool {
-        self.extent == Extent::Quarter && wrapped(theta) < 0.0
+        !self.extent.is_whole_along() && wrapped(theta) < 0.0
     }
 
     /// Whether the section angle (rad) lies beyond the plane y = 0 of a mesh that ends there.
     pub(crate) fn is_mirrored_across(&self, phi: f64) -> bool {
-        self.extent != Extent::Full && phi < 0.0
+        !self.extent.is_whole_across() && phi < 0.0
     }
 
     /// The point of the inner surface at these angles (rad); mirrored into the meshed part.
     pub fn inner_point(&self, theta: f64, phi: f64) -> SurfacePoint {
-        let theta = if self.extent == Extent::Quarter {
+        let theta = if !self.extent.is_whole_along() {
             wrapped(theta).abs()
         } else {
             wrapped(theta)
         };
         let (row, local_theta) = locate(&self.theta, theta);
-        let phi = match self.extent {
-            Extent::Full => phi,
-            Extent::Half | Extent::Quarter => phi.abs(),
+        let phi = match self.extent.is_whole_across() {
+            true => phi,
+            false => phi.abs(),
         };
         let (column, local_phi) = locate(&self.phi, phi);
         SurfacePoint {
@@ -116,6 +116,7 @@ mod tests {
     use fem::cell::element::Order;
 
     use super::*;
+    use crate::mesh::tire_grid::Extent;
     use crate::mesh::tire_grid::tests::{SHAPE, plan};
 
     #[test]

@@ -1,8 +1,8 @@
 //! The structured mesh of a toroidal tire.
 //!
 //! A point of the wall has the wheel angle theta (0 at the contact centre), the section angle phi (0 at the crown) and the
-//! section radius rho: with r = R_c + rho cos(phi), x = r sin(theta), y = rho sin(phi), z = -r cos(theta). Scenes need
-//! y >= 0 only, because ground and loads are constant across the wheel; a quarter mesh keeps x >= 0 too. Bricks run
+//! section radius rho: with r = R_c + rho cos(phi), x = r sin(theta), y = rho sin(phi), z = -r cos(theta). Most scenes
+//! need y >= 0 only, as ground and loads are constant across an upright wheel; a quarter mesh keeps x >= 0 too. Bricks run
 //! along (phi, theta, rho), which is right-handed; brick numbers run fastest along rho, then phi, then theta.
 
 use std::f64::consts::TAU;
@@ -66,15 +66,48 @@ pub struct TireShape {
     pub carcass: Option<f64>,
 }
 
-/// Part of the tire that is meshed, small to large.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+/// Part of the tire that is meshed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Extent {
     /// y >= 0 and x >= 0.
     Quarter,
     /// y >= 0, all around the wheel.
     Half,
+    /// x >= 0, on both sides of the middle plane: for a wheel that leans.
+    Front,
     /// The whole wheel, for films that lie askew across the middle plane.
     Full,
+}
+
+impl Extent {
+    /// The part that reaches all around the wheel or not, and to both sides of the middle plane or not.
+    pub fn of(is_whole_along: bool, is_whole_across: bool) -> Self {
+        match (is_whole_along, is_whole_across) {
+            (false, false) => Self::Quarter,
+            (true, false) => Self::Half,
+            (false, true) => Self::Front,
+            (true, true) => Self::Full,
+        }
+    }
+
+    /// Whether it reaches all around the wheel.
+    pub fn is_whole_along(self) -> bool {
+        matches!(self, Self::Half | Self::Full)
+    }
+
+    /// Whether it lies on both sides of the middle plane.
+    pub fn is_whole_across(self) -> bool {
+        matches!(self, Self::Front | Self::Full)
+    }
+
+    /// Returns the smallest part that holds this one and another.
+    #[must_use]
+    pub fn joined(self, other: Self) -> Self {
+        Self::of(
+            self.is_whole_along() || other.is_whole_along(),
+            self.is_whole_across() || other.is_whole_across(),
+        )
+    }
 }
 
 /// A part of the inner surface that asks for lines of its own.
@@ -118,9 +151,9 @@ impl TireGrid {
     pub fn new(shape: TireShape, plan: &MeshPlan, extent: Extent) -> Self {
         let middle = plan.middle.map(|middle| (middle.end, middle.bricks));
         let half = half_circle((plan.fine_angle, plan.fine), middle, plan.coarse);
-        let theta = match extent {
-            Extent::Quarter => half,
-            Extent::Half | Extent::Full => both_sides(&half),
+        let theta = match extent.is_whole_along() {
+            false => half,
+            true => both_sides(&half),
         };
         let side = graded(
             0.0,
@@ -128,15 +161,15 @@ impl TireGrid {
             plan.meridional,
             plan.meridional_growth,
         );
-        let phi = match extent {
-            Extent::Full => both_sides(&side),
-            Extent::Half | Extent::Quarter => side,
+        let phi = match extent.is_whole_across() {
+            true => both_sides(&side),
+            false => side,
         };
         Self {
             order: plan.order,
             extent,
             shape,
-            is_closed: extent != Extent::Quarter,
+            is_closed: extent.is_whole_along(),
             theta,
             phi,
             rho: layers(shape.inner, shape.outer, shape.carcass, plan.layers),
@@ -252,10 +285,23 @@ impl TireGrid {
 
     /// Node at the outer crown of the contact centre.
     pub fn lowest_node(&self) -> u32 {
-        let e = self.order.edge_nodes() - 1;
-        let zero = |edges: &[f64]| edges.iter().position(|&t| t == 0.0).unwrap_or(0);
-        let [crown, centre] = [&self.phi, &self.theta].map(|edges| zero(edges) * e);
+        let [crown, centre] = [&self.phi, &self.theta].map(|edges| self.zero(edges));
         self.node([crown, centre, self.rho_nodes() - 1])
+    }
+
+    /// Nodes of the outer surface above the contact centre, from crown (or bead) to bead: as many for each brick as its edge has, its last the next one's first.
+    pub(crate) fn outer_section(&self) -> Vec<u32> {
+        let centre = self.zero(&self.theta);
+        let lines = 0..self.phi_nodes();
+        lines
+            .map(|phi| self.node([phi, centre, self.rho_nodes() - 1]))
+            .collect()
+    }
+
+    /// Number of the node line at angle 0.
+    fn zero(&self, edges: &[f64]) -> usize {
+        let edge = edges.iter().position(|&angle| angle == 0.0).unwrap_or(0);
+        edge * (self.order.edge_nodes() - 1)
     }
 
     /// Node of the inner surface on these grid lines.
@@ -263,7 +309,7 @@ impl TireGrid {
         self.node([phi, theta, 0])
     }
 
-    /// Nodes on the bead, on the plane y = 0, and (quarter mesh) on the plane x = 0.
+    /// Nodes on the bead, and on the planes of symmetry y = 0 and x = 0 that bound the mesh.
     pub(crate) fn held_nodes(&self) -> HeldNodes {
         let (last_phi, last_theta) = (self.phi_nodes() - 1, self.theta_nodes() - 1);
         let mut held = HeldNodes::default();
@@ -271,9 +317,9 @@ impl TireGrid {
             for rho in 0..self.rho_nodes() {
                 held.bead.push(self.node([last_phi, theta, rho]));
                 let first = self.node([0, theta, rho]);
-                match self.extent {
-                    Extent::Full => held.bead.push(first),
-                    Extent::Half | Extent::Quarter => held.middle_plane.push(first),
+                match self.extent.is_whole_across() {
+                    true => held.bead.push(first),
+                    false => held.middle_plane.push(first),
                 }
             }
         }
@@ -283,7 +329,7 @@ impl TireGrid {
         ];
         let in_plane = |angle: f64| angle == 0.0 || angle == std::f64::consts::PI;
         for (theta, _) in sections.into_iter().filter(|(_, angle)| in_plane(*angle)) {
-            if self.extent == Extent::Quarter {
+            if !self.extent.is_whole_along() {
                 held.cross_plane.extend(self.section(theta));
             }
         }

@@ -22,6 +22,7 @@ pub(super) fn problem(scene: &Scene, grid: &TireGrid) -> Problem {
     let supports = supports(grid, mesh.nodes.len());
     let mut contact = ContactSurface::new(&mesh, grid.tread_surface(), penalty(scene));
     contact.friction = friction(scene);
+    contact.may_lean = scene.ground.camber_deg != 0.0;
     let pressure = PressureSurface::new(grid.inner_surface());
     Problem {
         mesh,

@@ -42,6 +42,13 @@ pub(super) fn modelled(scene: &Scene, grid: &TireGrid) -> Vec<Choice> {
             "rigid ground, penalty on the vertical gap".into(),
         ),
     ];
+    if scene.ground.camber_deg != 0.0 {
+        let why = format!(
+            "the wheel leans by {} degrees: depths and the gap are along the ground's normal",
+            scene.ground.camber_deg
+        );
+        list.push(choice("camber", why));
+    }
     if scene.contact.friction > 0.0 {
         let why = format!(
             "Coulomb, coefficient {}, pressed from the inflated state in {FRICTION_STEPS} steps: the path matters",
@@ -121,13 +128,13 @@ pub(super) fn left_out(scene: &Scene, extent: Extent) -> Vec<Choice> {
         effect: Some(0.0),
     };
     let mut list = Vec::new();
-    if extent != Extent::Full {
+    if !extent.is_whole_across() {
         list.push(exact(
             "y < 0",
             "tire, ground and loads are symmetric about the wheel's middle plane: exact",
         ));
     }
-    if extent == Extent::Quarter {
+    if !extent.is_whole_along() {
         list.push(exact(
             "x < 0",
             "the depths are symmetric about the contact centre: exact",

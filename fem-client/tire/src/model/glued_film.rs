@@ -80,19 +80,13 @@ impl Place {
 
     /// The smallest part of the tire on which it can be modelled.
     pub(crate) fn extent(&self) -> Extent {
-        match (
-            self.is_symmetric(0),
-            self.is_symmetric(1) || self.is_aside(),
-        ) {
-            (true, true) => Extent::Quarter,
-            (false, true) => Extent::Half,
-            (_, false) => Extent::Full,
-        }
+        let is_alike_across = self.is_symmetric(1) || self.is_aside();
+        Extent::of(!(self.is_symmetric(0) && is_alike_across), !is_alike_across)
     }
 
     /// Whether the model of such a part of the tire has a second film, its mirror image, beyond the middle plane.
     pub(crate) fn has_twin(&self, extent: Extent) -> bool {
-        extent != Extent::Full && !self.is_symmetric(1)
+        !extent.is_whole_across() && !self.is_symmetric(1)
     }
 
     /// Wheel and section angles, rad, of a point of the rectangle.
@@ -106,9 +100,9 @@ impl Place {
 
     /// Returns the ends around the wheel and along the section, rad, in the part that a mesh of this extent has.
     fn ends(&self, extent: Extent) -> [[f64; 2]; 2] {
-        let across = match extent {
-            Extent::Full => self.middle[1],
-            Extent::Half | Extent::Quarter => self.middle[1].abs(),
+        let across = match extent.is_whole_across() {
+            true => self.middle[1],
+            false => self.middle[1].abs(),
         };
         let (middle, reach) = ([self.middle[0], across], self.reach());
         [0, 1].map(|k| [middle[k] - reach[k], middle[k] + reach[k]])
@@ -151,8 +145,8 @@ impl Place {
                 (2 * spans).clamp(FEWEST_SPANS, MOST_SPANS)
             }),
             mirrors: [
-                mirror(0, grid.extent != Extent::Quarter),
-                mirror(1, grid.extent == Extent::Full),
+                mirror(0, grid.extent.is_whole_along()),
+                mirror(1, grid.extent.is_whole_across()),
             ],
         }
     }

@@ -8,17 +8,13 @@ use super::dimensions::shape;
 use super::glued_film::Place;
 use crate::mesh::tire_grid::{Extent, MeshPlan};
 
-/// The smallest part of the tire that the symmetry of ground and film allows. Ground that is dragged across the wheel has none in its middle plane.
+/// The smallest part of the tire that the symmetry of ground and film allows. A wheel that leans, or whose ground is dragged across it, has none in its middle plane.
 pub fn extent(scene: &Scene) -> Extent {
     let film = scene.film.as_ref();
     let of_film = film.map(|film| Place::of(film, &shape(scene)).extent());
     let ground = &scene.ground;
-    let of_ground = match (ground.shift_mm[1] == 0.0, ground.is_symmetric()) {
-        (true, true) => Extent::Quarter,
-        (true, false) => Extent::Half,
-        (false, _) => Extent::Full,
-    };
-    of_film.map_or(of_ground, |of_film| of_film.max(of_ground))
+    let of_ground = Extent::of(!ground.is_symmetric(), !ground.is_alike_across());
+    of_film.map_or(of_ground, |of_film| of_film.joined(of_ground))
 }
 
 /// Hash of all that determines the inflated state: the scene without its ground and contact, and the mesh.

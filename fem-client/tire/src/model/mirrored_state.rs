@@ -4,6 +4,7 @@ use fem::problem::State;
 use fem::surface::sheet::Sheet;
 
 use super::TireModel;
+use crate::mesh::tire_grid::{Extent, TireGrid};
 
 /// A flat state in its parts: displacements of the grid's nodes with the pressures, and displacements of the film's control points.
 struct Parts {
@@ -33,6 +34,28 @@ impl TireModel {
     pub fn fit(&self, flat: &[f64]) -> Option<State> {
         State::from_flat(&self.problem, flat)
             .or_else(|| State::from_flat(&self.problem, &self.of_quarter(flat)?))
+    }
+
+    /// A flat state fitted as by [`Self::fit`], or mirrored from one side of the middle plane to both. `None` where a film lies on them.
+    pub(crate) fn fit_sides(&self, flat: &[f64]) -> Option<State> {
+        let fitted = self.fit(flat);
+        if fitted.is_some() || self.film().is_some() {
+            return fitted;
+        }
+        let both = |flat: &[f64]| self.grid.mirror_across(flat);
+        let around = || both(&self.one_side().mirror_quarter(flat)?);
+        let whole = both(flat).or_else(around)?;
+        State::from_flat(&self.problem, &whole)
+    }
+
+    /// The lines of this grid on one side of the middle plane.
+    fn one_side(&self) -> TireGrid {
+        let middle = self.grid.phi.len() / 2;
+        TireGrid {
+            extent: Extent::of(self.grid.extent.is_whole_along(), false),
+            phi: self.grid.phi[middle..].to_vec(),
+            ..self.grid.clone()
+        }
     }
 
     /// An equilibrium with left and right exchanged; `None` when this is no half mesh, or its film isn't its own mirror image.

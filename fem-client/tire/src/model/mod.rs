@@ -26,6 +26,7 @@ pub(crate) use glued_film::{Place, following_film};
 pub use meshed_part::extent;
 pub(crate) use meshed_part::inflated_key;
 pub(crate) use resting_ground::depth_of_load;
+pub(crate) use resting_ground::ground_axes;
 pub(crate) use resting_ground::load_step;
 pub use resting_ground::{DRAG_STEPS, FRICTION_STEPS, ground};
 pub use tire_model::TireModel;

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use fem::load::contact::Penalty;
 use fem::load::friction::Friction;
-use fem::load::obstacle::{self, HeightField};
+use fem::load::obstacle::{self, GroundAxes, HeightField};
 use fem_client::scene::{Ground, Scene, StationFunctions};
 
 /// Contact stiffness in units of shear modulus over wall thickness, when the scene doesn't give one. At the reference
@@ -24,10 +24,16 @@ pub const FRICTION_STEPS: usize = 16;
 /// the force by 0.02 %, sixteen times as many by 3e-5 and 0.015 %. That is a tenth of what twice [`FRICTION_STEPS`] change there, 3e-4.
 pub const DRAG_STEPS: usize = 8;
 
-/// The ground of a scene below a tire whose inflated outer radius is given, mm; one that presses with a force begins where it would touch.
-pub fn ground(ground: &Ground, inflated_radius: f64) -> HeightField {
+/// Axes of the ground of a scene.
+pub(crate) fn ground_axes(ground: &Ground) -> GroundAxes {
+    GroundAxes::below(ground.camber_deg.to_radians())
+}
+
+/// The ground of a scene at a distance from the axle's middle at which it touches the inflated tire, mm; one that presses with a force begins there.
+pub fn ground(ground: &Ground, touching_distance: f64) -> HeightField {
     HeightField {
-        base: -inflated_radius,
+        axes: ground_axes(ground),
+        base: -touching_distance,
         spacing: ground.station_spacing_mm,
         functions: match ground.station_functions {
             StationFunctions::Bspline => obstacle::StationFunctions::BSpline,

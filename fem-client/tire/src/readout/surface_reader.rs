@@ -1,11 +1,10 @@
 //! Strains of an equilibrium, read off the inner surface.
 
-use fem::load::contact::ContactResultant;
+use fem::load::contact::{ContactResultant, Wrench};
 use fem::problem::{Loads, State};
 use fem::surface::chart::Recovery;
 use fem::tensor::Vector;
 
-use crate::mesh::tire_grid::Extent;
 use crate::model::TireModel;
 use crate::readout::probe::{Probe, States};
 use crate::readout::{carcass_reading, film_reading};
@@ -31,8 +30,8 @@ pub struct Diagnostics {
     pub residual_history: Vec<Vec<f64>>,
     /// Model that was solved.
     pub model: ModelSummary,
-    /// Friction's force on the meshed part along x and y, N.
-    pub friction_n: [f64; 2],
+    /// Friction's force and moment on the meshed part.
+    pub friction: Wrench,
 }
 
 /// Reads one equilibrium.
@@ -76,10 +75,12 @@ impl<'m> Reader<'m> {
     pub fn response(&self, readout: &Readout, diagnostics: Diagnostics) -> Response {
         let locations = self.locations();
         let states = [self.inflated_state, self.equilibrium];
-        let force_n = self.force(diagnostics.friction_n);
+        let pressing = self.pressing();
+        let whole = self.of_whole_tire([pressing.wrench, diagnostics.friction]);
         Response {
-            reaction_n: force_n[2],
-            force_n: Some(force_n),
+            reaction_n: self.model.multiplicity() * pressing.load,
+            force_n: Some(whole.force),
+            moment_nmm: Some(whole.moment),
             depth_mm: self.depth(),
             error: self.error(&locations),
             locations,
@@ -125,14 +126,24 @@ impl<'m> Reader<'m> {
         contact.resultant(ground, |node| self.equilibrium.position(mesh, node))
     }
 
-    /// Force of the ground on the whole tire, N, with friction's on the meshed part: what its mirror images cancel is nothing.
-    fn force(&self, [x, y]: [f64; 2]) -> Vector {
-        let [px, py, pz] = self.pressing().force;
+    /// Sum of forces on the meshed part and on its mirror images; what these cancel is nothing.
+    fn of_whole_tire(&self, parts: [Wrench; 2]) -> Wrench {
         let all = self.model.multiplicity();
-        match self.model.grid.extent {
-            Extent::Full => [all * (px + x), all * (py + y), all * pz],
-            Extent::Half => [all * (px + x), 0.0, all * pz],
-            Extent::Quarter => [0.0, 0.0, all * pz],
+        let extent = self.model.grid.extent;
+        let (along, across) = (extent.is_whole_along(), extent.is_whole_across());
+        let sum = |part: fn(&Wrench) -> &Vector, is_there: [bool; 3]| {
+            let [a, b] = parts.each_ref().map(part);
+            [0, 1, 2].map(|i| {
+                if is_there[i] {
+                    all * (a[i] + b[i])
+                } else {
+                    0.0
+                }
+            })
+        };
+        Wrench {
+            force: sum(|part| &part.force, [along, across, true]),
+            moment: sum(|part| &part.moment, [across, along, along && across]),
         }
     }
 
@@ -228,7 +239,7 @@ impl<'m> Reader<'m> {
             largest.zip(error.strain).map(|(a, b): (f64, f64)| a.max(b))
         });
         let pressing = self.pressing();
-        let reaction = self.model.multiplicity() * pressing.force[2];
+        let reaction = self.model.multiplicity() * pressing.load;
         let depths = self.loads.ground.iter().flat_map(|ground| &ground.depths);
         let depth = depths.copied().fold(0.0, f64::max);
         let by_depth = self.scene.ground.load_n.is_none();

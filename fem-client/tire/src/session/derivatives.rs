@@ -41,7 +41,7 @@ impl<'r> VariedScene<'r> {
         let varied = sides.iter().flat_map(|sides| &sides.scenes).map(extent);
         Ok(Some(Self {
             request,
-            extent: varied.fold(extent(request.scene), Extent::max),
+            extent: varied.fold(extent(request.scene), Extent::joined),
             sides,
         }))
     }
@@ -101,8 +101,8 @@ impl<'m> Middle<'m> {
     ) -> Result<Self, SolveError> {
         let scene = request.scene;
         let unfit = || SolveError::broken("the solved state doesn't fit its mesh");
-        let inflated = model.fit(&start.inflated).ok_or_else(unfit)?;
-        let mut pressed = model.fit(&start.equilibrium).ok_or_else(unfit)?;
+        let inflated = model.fit_sides(&start.inflated).ok_or_else(unfit)?;
+        let mut pressed = model.fit_sides(&start.equilibrium).ok_or_else(unfit)?;
         let loads = target(scene, model, &inflated);
         if loads.ground_force.is_some() {
             // All stations have risen alike.

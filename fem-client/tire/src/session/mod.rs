@@ -8,6 +8,7 @@ mod derivatives;
 mod scene_loads;
 mod told_solve;
 
+use fem::load::contact::Wrench;
 use fem::load::obstacle::HeightField;
 use fem::newton::iteration::Newton;
 use fem::newton::path::{PathFailure, PathReport, Stability, follow};
@@ -18,8 +19,8 @@ use fem_client::scene::Scene;
 use fem_client::solver::Stage;
 
 pub(crate) use derivatives::VariedScene;
-pub(crate) use scene_loads::standing;
-use scene_loads::{inflation, load, target};
+use scene_loads::{inflation, load};
+pub(crate) use scene_loads::{standing, target};
 pub(crate) use told_solve::ToldSolve;
 
 /// A scene's model with its Newton method.
@@ -76,7 +77,7 @@ impl Session<'_> {
         state
     }
 
-    /// Vertical force on the meshed part, N.
+    /// Force along the ground's normal on the meshed part, N.
     fn ground_force(&self, state: &State, loads: &Loads) -> f64 {
         let (Some(contact), Some(ground)) = (&self.model.problem.contact, loads.ground_in(state))
         else {
@@ -85,17 +86,17 @@ impl Session<'_> {
         let mesh = &self.model.problem.mesh;
         contact
             .resultant(&ground, |node| state.position(mesh, node))
-            .force[2]
+            .load
     }
 
-    /// Friction's force on the meshed part along x and y, N.
-    pub(crate) fn friction_force(&self, state: &State, loads: &Loads) -> [f64; 2] {
+    /// Friction's force and moment on the meshed part.
+    pub(crate) fn friction(&self, state: &State, loads: &Loads) -> Wrench {
         let (Some(contact), Some(ground)) = (&self.model.problem.contact, loads.ground_in(state))
         else {
-            return [0.0; 2];
+            return Wrench::default();
         };
         let mesh = &self.model.problem.mesh;
-        contact.friction_force(&ground, &state.anchors, |node| state.position(mesh, node))
+        contact.friction_wrench(&ground, &state.anchors, |node| state.position(mesh, node))
     }
 }
 

@@ -4,7 +4,7 @@ use fem::load::obstacle::HeightField;
 use fem::problem::{Loads, State};
 use fem_client::scene::Scene;
 
-use crate::model::{TireModel, ground};
+use crate::model::TireModel;
 
 /// Loads of a scene's inflated state.
 pub(super) fn inflation(scene: &Scene) -> Loads {
@@ -15,10 +15,9 @@ pub(super) fn inflation(scene: &Scene) -> Loads {
 }
 
 /// Loads of a scene, given its inflated state.
-pub(super) fn target(scene: &Scene, model: &TireModel, inflated: &State) -> Loads {
-    let radius = model.crown_radius(inflated);
+pub(crate) fn target(scene: &Scene, model: &TireModel, inflated: &State) -> Loads {
     Loads {
-        ground: Some(ground(&scene.ground, radius)),
+        ground: Some(model.ground_below(&scene.ground, inflated)),
         ground_force: load(scene).map(|load| load / model.multiplicity()),
         ..inflation(scene)
     }

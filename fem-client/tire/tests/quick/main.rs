@@ -2,6 +2,7 @@
 
 mod dragged_ground;
 mod foot_tire;
+mod leaning_wheel;
 mod pressed_by_force;
 mod solver_sources;
 mod whole_tire;

@@ -56,7 +56,7 @@ fn pressed(scene: &Scene, extent: Extent) -> Pressed {
         nodes: nodes
             .map(|(k, place)| (*place, state.position(mesh, k as u32)))
             .collect(),
-        reaction: model.multiplicity() * resultant.force[2],
+        reaction: model.multiplicity() * resultant.load,
     }
 }
 

@@ -176,7 +176,7 @@ fn force(depth: f64, mesh: [usize; 3], first: f64, stop: &AtomicBool) -> Result<
     load_on(&mut newton, &mut state, &Loads::default(), &loads, stop)?;
     let contact = model.problem.contact.as_ref();
     let position = |node| state.position(&model.problem.mesh, node);
-    let force = contact.map_or(f64::NAN, |c| c.resultant(&field, position).force[2]);
+    let force = contact.map_or(f64::NAN, |c| c.resultant(&field, position).load);
     Ok(model.multiplicity() * force / hertz_force(depth, radii(&scene), 4.0 * SHEAR_MODULUS))
 }
 

@@ -112,7 +112,8 @@ fn every_vertex_is_a_node_of_the_solved_body_or_its_mirror_image() {
             [0.0; 2],
             [false, true],
         ),
-        (Level::Draft, [1.0; 5], [0.0, 0.3], [false, false]),
+        (Level::Draft, [1.0; 5], [0.0, 0.3], [true, false]),
+        (Level::Draft, [1.0; 5], [0.3, 0.3], [false, false]),
         (Level::Coarse, [1.0; 5], [0.0; 2], [true, true]),
     ];
     for (level, depths, shift, symmetric) in cases {

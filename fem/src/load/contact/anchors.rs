@@ -2,7 +2,7 @@
 //! dragged.
 
 use super::contact_surface::{ContactSurface, interpolate};
-use crate::load::obstacle::HeightField;
+use crate::load::obstacle::{GroundAxes, HeightField};
 use crate::tensor::Vector;
 
 impl ContactSurface {
@@ -19,12 +19,13 @@ impl ContactSurface {
             return settled;
         }
         let shift = ground.map_or([0.0; 2], |ground| ground.shift);
+        let axes = ground.map_or(GroundAxes::LEVEL, |ground| ground.axes);
         let on_ground = |position: [f64; 2]| [0, 1].map(|i| position[i] - shift[i]);
         for (face, nodes) in self.surface.iter().enumerate() {
             let current: Vec<Vector> = nodes.iter().map(|&n| positions(n)).collect();
             let first = settled.len();
             settled.extend(self.rule.iter().map(|point| {
-                let [x, y, _] = interpolate(point, &current);
+                let [x, y, _] = axes.coordinates(interpolate(point, &current));
                 on_ground([x, y])
             }));
             let Some(ground) = ground else { continue };

@@ -2,7 +2,7 @@
 
 use super::contact_surface::ContactSurface;
 use crate::load::friction::Traction;
-use crate::load::obstacle::HeightField;
+use crate::load::obstacle::{GroundAxes, HeightField};
 use crate::tensor::Vector;
 
 impl ContactSurface {
@@ -23,10 +23,11 @@ impl ContactSurface {
         self.for_each_touch(ground, face, current, |index, area, touch| {
             touches = true;
             let point = &self.rule[index];
-            let gradient = [-touch.slope, 0.0, 1.0];
+            let gradient = touch.gradient(&ground.axes);
             let traction = self.traction(ground, anchors, [face, index], touch);
             let [tx, ty] = traction.map_or([0.0; 2], |traction| traction.value);
-            let force_on_body = [0, 1, 2].map(|i| touch.pressure * gradient[i] + [tx, ty, 0.0][i]);
+            let friction = ground.axes.to_body([tx, ty, 0.0]);
+            let force_on_body = [0, 1, 2].map(|i| touch.pressure * gradient[i] + friction[i]);
             for (force, n) in residual.chunks_exact_mut(3).zip(&point.values) {
                 for i in 0..3 {
                     force[i] -= area * n * force_on_body[i];
@@ -38,7 +39,8 @@ impl ContactSurface {
                 // Second derivative of the gap: -z_g'' on the x x component, times phi' = -pressure.
                 block[0][0] += area * touch.pressure * touch.curvature;
                 if let Some(traction) = traction {
-                    add_friction(&mut block, &traction, area, touch.pressure_slope, &gradient);
+                    let by_pressure = (touch.pressure_slope, &gradient);
+                    add_friction(&mut block, &traction, &ground.axes, area, by_pressure);
                 }
                 add_outer(&point.values, &block, stiffness);
             }
@@ -52,16 +54,21 @@ impl ContactSurface {
 fn add_friction(
     block: &mut [[f64; 3]; 3],
     traction: &Traction,
+    axes: &GroundAxes,
     area: f64,
-    pressure_slope: f64,
-    gradient: &Vector,
+    (pressure_slope, gradient): (f64, &Vector),
 ) {
-    for i in 0..2 {
-        for j in 0..2 {
-            block[i][j] -= area * traction.by_slip[i][j];
-        }
+    let [along, across, _] = axes.vectors();
+    let tangents = [along, across];
+    let [tx, ty] = traction.by_pressure;
+    let by_pressure = axes.to_body([tx, ty, 0.0]);
+    for i in 0..3 {
         for j in 0..3 {
-            block[i][j] += area * traction.by_pressure[i] * pressure_slope * gradient[j];
+            for (a, b) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+                let by_slip = traction.by_slip[a][b];
+                block[i][j] -= area * by_slip * tangents[a][i] * tangents[b][j];
+            }
+            block[i][j] += area * by_pressure[i] * pressure_slope * gradient[j];
         }
     }
 }
@@ -85,7 +92,7 @@ mod tests {
     use crate::cell::element::Order;
     use crate::cell::mesh::{Mesh, Surface};
     use crate::central_differences::{assert_upper_agrees, derivative};
-    use crate::load::contact::Penalty;
+    use crate::load::contact::{Penalty, Wrench};
     use crate::load::friction::Friction;
     use crate::load::obstacle::StationFunctions;
 
@@ -120,6 +127,7 @@ mod tests {
     fn a_surface_that_just_touches_feels_nothing() {
         let (nodes, contact) = patch();
         let ground = HeightField {
+            axes: GroundAxes::LEVEL,
             base: 0.0,
             spacing: 1.0,
             functions: StationFunctions::BSpline,
@@ -133,6 +141,7 @@ mod tests {
     fn a_flat_patch_transmits_a_constant_pressure() {
         let (nodes, contact) = patch();
         let ground = HeightField {
+            axes: GroundAxes::LEVEL,
             base: 0.0,
             spacing: 1.0,
             functions: StationFunctions::BSpline,
@@ -141,8 +150,13 @@ mod tests {
         };
         let resultant = contact.resultant(&ground, |n| nodes[n as usize]);
         let expected = 100.0 * (0.02 - 0.0005) * 12.0;
-        assert!((resultant.force[2] - expected).abs() < 1e-13 * expected);
-        assert!(resultant.force[0].abs() < 1e-13);
+        let Wrench { force, moment } = resultant.wrench;
+        assert!((force[2] - expected).abs() < 1e-13 * expected);
+        assert!((resultant.load - expected).abs() < 1e-13 * expected);
+        assert!(force[0].abs() < 1e-13);
+        // About the origin, from which the patch's middle lies at (2, 1.5) mm.
+        assert!((moment[0] - 1.5 * expected).abs() < 1e-12 * expected);
+        assert!((moment[1] + 2.0 * expected).abs() < 1e-12 * expected);
         // Consistent nodal forces of a constant pressure on a 9-node face: corner 1/36, edge 1/9, middle 4/9.
         let mut residual = [0.0; 27];
         contact.integrate(&ground, 0, &nodes, &[], &mut residual, None);
@@ -156,6 +170,7 @@ mod tests {
         let (nodes, contact) = patch();
         // of the nodes at 0, 2 and 4 mm none is below; the points of the rule next to 0 are at 0.45 mm or before
         let peak = |height: f64| HeightField {
+            axes: GroundAxes::LEVEL,
             base: -0.01,
             spacing: 0.4,
             functions: StationFunctions::Hat,
@@ -200,8 +215,15 @@ mod tests {
 
     #[test]
     fn stiffness_is_the_derivative_of_the_forces() {
+        for axes in [GroundAxes::LEVEL, GroundAxes::below(0.1)] {
+            assert_stiffness_without_friction(axes);
+        }
+    }
+
+    fn assert_stiffness_without_friction(axes: GroundAxes) {
         let (_, contact) = patch();
         let ground = HeightField {
+            axes,
             base: 0.1,
             spacing: 1.3,
             functions: StationFunctions::BSpline,
@@ -215,40 +237,48 @@ mod tests {
 
     #[test]
     fn a_patch_that_goes_with_dragged_ground_feels_what_it_felt() {
+        for axes in [GroundAxes::LEVEL, GroundAxes::below(0.1)] {
+            assert_carried_alike(axes);
+        }
+    }
+
+    fn assert_carried_alike(axes: GroundAxes) {
         let (nodes, mut contact) = patch();
         contact.friction = Friction {
             coefficient: 0.3,
             stiffness: 80.0,
         };
         let resting = HeightField {
+            axes,
             base: 0.1,
             spacing: 1.3,
             functions: StationFunctions::BSpline,
             depths: vec![0.3, 0.6, 0.4, 0.5, 0.7],
             shift: [0.0; 2],
         };
-        let settled = contact.settled_anchors(None, |n| nodes[n as usize], &[]);
+        let settled = contact.settled_anchors(Some(&resting), |n| nodes[n as usize], &[]);
         let anchors: Vec<[f64; 2]> = settled.iter().map(|[x, y]| [0.8 * x, *y]).collect();
         let at = |shift: [f64; 2]| {
             let ground = HeightField {
                 shift,
                 ..resting.clone()
             };
-            let moved = nodes
-                .iter()
-                .map(|[x, y, z]| [x + shift[0], y + shift[1], *z]);
+            let way = axes.to_body([shift[0], shift[1], 0.0]);
+            let moved = nodes.iter().map(|node| [0, 1, 2].map(|i| node[i] + way[i]));
             let moved: Vec<Vector> = moved.collect();
             let (mut residual, mut stiffness) = (vec![0.0; 27], vec![0.0; 27 * 27]);
             let tangent = Some(stiffness.as_mut_slice());
             contact.integrate(&ground, 0, &moved, &anchors, &mut residual, tangent);
             let followed = contact.settled_anchors(Some(&ground), |n| moved[n as usize], &anchors);
-            let force = contact.friction_force(&ground, &anchors, |n| moved[n as usize]);
+            let friction = contact.friction_wrench(&ground, &anchors, |n| moved[n as usize]);
+            let [x, y, _] = axes.coordinates(friction.force);
+            let force = [x, y];
             let all = [residual, stiffness, followed.concat(), force.to_vec()];
             (all.concat(), force)
         };
         let ((still, force), (carried, _)) = (at([0.0; 2]), at([0.5, -0.25]));
         // Every point stands ahead of its anchor or on it: friction pulls back.
-        assert!(force[0] < 0.0 && force[1] == 0.0, "{force:?}");
+        assert!(force[0] < 0.0 && force[1].abs() < 1e-12, "{force:?}");
         for (a, b) in still.iter().zip(&carried) {
             // Positions of some mm, rounded, times stiffnesses of 100 N/mm^3 on 12 mm^2.
             assert!((a - b).abs() < 1e-11, "{a} {b}");
@@ -257,12 +287,19 @@ mod tests {
 
     #[test]
     fn the_stiffness_with_friction_is_the_derivative_of_the_forces() {
+        for axes in [GroundAxes::LEVEL, GroundAxes::below(0.1)] {
+            assert_stiffness_with_friction(axes);
+        }
+    }
+
+    fn assert_stiffness_with_friction(axes: GroundAxes) {
         let (nodes, mut contact) = patch();
         contact.friction = Friction {
             coefficient: 0.3,
             stiffness: 80.0,
         };
         let ground = HeightField {
+            axes,
             base: 0.1,
             spacing: 1.3,
             functions: StationFunctions::BSpline,
@@ -271,7 +308,7 @@ mod tests {
         };
         // Slips from 0 to 0.75 mm under pressures of 40 to 60 MPa: some points stick, some slip.
         let anchors: Vec<[f64; 2]> = contact
-            .settled_anchors(None, |n| nodes[n as usize], &[])
+            .settled_anchors(Some(&ground), |n| nodes[n as usize], &[])
             .iter()
             .map(|[x, y]| [x - 0.2 * x, *y])
             .collect();

@@ -6,7 +6,7 @@ use super::penalty::Penalty;
 use crate::cell::element::{FacePoint, face_points};
 use crate::cell::mesh::{Mesh, Surface};
 use crate::load::friction::{Friction, Traction};
-use crate::load::obstacle::HeightField;
+use crate::load::obstacle::{GroundAxes, HeightField};
 use crate::tensor::{Vector, cross, norm};
 
 /// A surface that may touch the ground.
@@ -18,6 +18,8 @@ pub struct ContactSurface {
     pub penalty: Penalty,
     /// Friction on the ground.
     pub friction: Friction,
+    /// Whether the ground may lean about the x axis.
+    pub may_lean: bool,
     pub(super) rule: Vec<FacePoint>,
     /// Reference area of each point, mm^2: face, point.
     areas: Vec<f64>,
@@ -39,9 +41,15 @@ impl ContactSurface {
             surface,
             penalty,
             friction: Friction::NONE,
+            may_lean: false,
             rule,
             areas,
         }
+    }
+
+    /// Whether the ground's forces may have a part along y.
+    pub(crate) fn acts_across(&self) -> bool {
+        self.may_lean || self.friction.coefficient > 0.0
     }
 
     /// Faces with a node or a contact point on or below the ground, and their neighbours. A peak of the ground may touch a
@@ -51,7 +59,7 @@ impl ContactSurface {
         ground: &HeightField,
         positions: impl Fn(u32) -> Vector,
     ) -> Vec<bool> {
-        let is_below = |[x, _, z]: Vector| z <= ground.height(x)[0];
+        let is_below = |position: Vector| ground.gap(position) <= 0.0;
         let below = |face: &[u32]| {
             let nodes: Vec<Vector> = face.iter().map(|&n| positions(n)).collect();
             let mut points = self.rule.iter().map(|point| interpolate(point, &nodes));
@@ -68,6 +76,11 @@ impl ContactSurface {
             .iter()
             .map(|face| face.iter().any(|n| near.contains(n)))
             .collect()
+    }
+
+    /// Returns the position of a point of the rule on a face with these current nodes, mm.
+    pub(super) fn position(&self, point: usize, current: &[Vector]) -> Vector {
+        interpolate(&self.rule[point], current)
     }
 
     /// Friction's traction at a touching point of a face; `None` while it has no anchor.
@@ -92,7 +105,7 @@ impl ContactSurface {
         mut visit: impl FnMut(usize, f64, &Touch),
     ) {
         for (index, point) in self.rule.iter().enumerate() {
-            let [x, y, z] = interpolate(point, current);
+            let [x, y, z] = ground.axes.coordinates(interpolate(point, current));
             let [height, slope, curvature] = ground.height(x);
             let penetration = height - z;
             if penetration > 0.0 {
@@ -123,12 +136,17 @@ pub(super) struct Touch {
     pub(super) slope: f64,
     /// Second derivative z_g'' of the ground's height, 1/mm.
     pub(super) curvature: f64,
-    /// Position along x and y, mm.
+    /// Position along the ground's x and y axis, mm.
     pub(super) position: [f64; 2],
 }
 
 impl Touch {
-    /// Way from the anchor along x and y, mm; the anchor is given on the ground, which is dragged by `shift`.
+    /// Returns the gradient of the gap in the body's axes: along the ground's normal, and one along its z axis.
+    pub(super) fn gradient(&self, axes: &GroundAxes) -> Vector {
+        axes.to_body([-self.slope, 0.0, 1.0])
+    }
+
+    /// Way from the anchor along the ground's x and y axis, mm; the anchor is given on the ground, which is dragged by `shift`.
     pub(super) fn slip(&self, anchor: &[f64; 2], shift: &[f64; 2]) -> [f64; 2] {
         [0, 1].map(|i| self.position[i] - (anchor[i] + shift[i]))
     }

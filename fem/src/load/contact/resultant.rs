@@ -1,14 +1,35 @@
-//! Force of the ground on the body, and its penetration.
+//! Force and moment of the ground on the body, and its penetration.
 
 use super::contact_surface::ContactSurface;
 use crate::load::obstacle::HeightField;
-use crate::tensor::Vector;
+use crate::tensor::{Vector, cross};
+
+/// Sum of forces at points.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Wrench {
+    /// Force, N.
+    pub force: Vector,
+    /// Moment about the origin, N mm.
+    pub moment: Vector,
+}
+
+impl Wrench {
+    fn add(&mut self, force: &Vector, at: &Vector) {
+        let moment = cross(at, force);
+        for i in 0..3 {
+            self.force[i] += force[i];
+            self.moment[i] += moment[i];
+        }
+    }
+}
 
 /// Resultant of the contact.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ContactResultant {
-    /// Force of the ground on the body, N.
-    pub force: Vector,
+    /// Force and moment of the ground on the body, in the body's axes.
+    pub wrench: Wrench,
+    /// Force along the ground's z axis, N.
+    pub load: f64,
     /// Mean penetration, weighted by the contact pressure, mm.
     pub mean_penetration: f64,
     /// Largest penetration, mm.
@@ -27,35 +48,36 @@ impl ContactSurface {
         for (index, face) in self.surface.iter().enumerate() {
             current.clear();
             current.extend(face.iter().map(|&n| positions(n)));
-            self.for_each_touch(ground, index, &current, |_, area, touch| {
-                let force = area * touch.pressure;
-                total.force[0] -= force * touch.slope;
-                total.force[2] += force;
-                total.mean_penetration += force * touch.penetration;
+            self.for_each_touch(ground, index, &current, |point, area, touch| {
+                let load = area * touch.pressure;
+                let force = touch.gradient(&ground.axes).map(|g| load * g);
+                total.wrench.add(&force, &self.position(point, &current));
+                total.load += load;
+                total.mean_penetration += load * touch.penetration;
                 total.max_penetration = total.max_penetration.max(touch.penetration);
             });
         }
-        if total.force[2] > 0.0 {
-            total.mean_penetration /= total.force[2];
+        if total.load > 0.0 {
+            total.mean_penetration /= total.load;
         }
         total
     }
 
-    /// Friction's part of the force on the body, along x and y, N: along the way of the ground that drags it.
-    pub fn friction_force(
+    /// Friction's force and moment on the body, in its axes: along the way of the ground that drags it.
+    pub fn friction_wrench(
         &self,
         ground: &HeightField,
         anchors: &[[f64; 2]],
         positions: impl Fn(u32) -> Vector,
-    ) -> [f64; 2] {
-        let mut total = [0.0; 2];
+    ) -> Wrench {
+        let mut total = Wrench::default();
         for (face, nodes) in self.surface.iter().enumerate() {
             let current: Vec<Vector> = nodes.iter().map(|&n| positions(n)).collect();
             self.for_each_touch(ground, face, &current, |index, area, touch| {
                 if let Some(traction) = self.traction(ground, anchors, [face, index], touch) {
-                    for i in 0..2 {
-                        total[i] += area * traction.value[i];
-                    }
+                    let [x, y] = traction.value.map(|t| area * t);
+                    let force = ground.axes.to_body([x, y, 0.0]);
+                    total.add(&force, &self.position(index, &current));
                 }
             });
         }

@@ -145,6 +145,10 @@ pub(crate) fn layouts(
             "is about ground that isn't dragged: the scene's ground.shift_mm must be left out";
         Fault::add(faults, &fields.at("shear"), detail);
     }
+    if layouts.shear && scene.is_some_and(|scene| scene.ground.camber_deg != 0.0) {
+        let detail = "is about an upright wheel: the scene's ground.camber_deg must be left out";
+        Fault::add(faults, &fields.at("shear"), detail);
+    }
     let free =
         |value: &Value, at: &str, faults: &mut Vec<Fault>| free_layout(value, at, scene, faults);
     if let Some((value, at)) = fields.get("free") {

@@ -73,6 +73,7 @@ fn nowhere() -> StartState {
         inflated: Vec::new(),
         pressure_mpa: 0.0,
         depths_mm: Vec::new(),
+        camber_deg: 0.0,
         equilibrium: Vec::new(),
     }
 }

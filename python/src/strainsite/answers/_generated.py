@@ -2396,12 +2396,17 @@ class SolvedScene:
     """
 
     reaction_n: float
-    """Vertical force of the ground on the whole tire, N."""
+    """Force of the ground on the whole tire along the ground's normal, N."""
     force_n: tuple[float, ...] | None = None
-    """Force of the ground on the whole tire, N: along the wheel (x), along the axle (y) and upwards (z, the
-    reaction). Friction pulls the way that the ground is dragged. Absent where the solver doesn't tell."""
+    """Force of the ground on the whole tire, N, in the wheel's frame: along the wheel (x), along the axle (y) and in
+    the wheel's plane upwards (z, the reaction of an upright wheel). Friction pulls the way that the ground is
+    dragged. Absent where the solver doesn't tell."""
+    moment_nmm: tuple[float, ...] | None = None
+    """Moment of the ground's forces about the wheel's centre, N mm, in the wheel's frame: x, y, z as `force_n`.
+    Absent where the solver doesn't tell."""
     depth_mm: float
-    """Height of the ground at the contact centre above the inflated outer radius, mm."""
+    """Height of the ground at the contact centre, mm, along its normal from where flat ground touches the inflated
+    tire."""
     locations: tuple[LocationStrain, ...]
     """P1, P2, ... in order."""
     section: Section

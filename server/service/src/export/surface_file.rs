@@ -42,7 +42,7 @@ pub fn surface_file(study: &str, level: &str, skins: &WheelSkins) -> Vec<u8> {
         "columns": skins.theta_deg.len(),
         "phi_deg": skins.phi_deg,
         "theta_deg": skins.theta_deg,
-        "ground": {"x_mm": along(0), "z_mm": along(1)},
+        "ground": {"x_mm": along(0), "z_mm": along(1), "camber_deg": skins.camber_deg},
         "arrays": arrays,
     });
     let mut header = header.to_string().into_bytes();
@@ -76,6 +76,7 @@ mod tests {
             inner: skin(0.0),
             outer: skin(1000.0),
             ground: vec![[-1.0, -50.0], [1.0, -49.5]],
+            camber_deg: 2.5,
         };
         for study in ["a", "ab", "abc", "abcd"] {
             let file = surface_file(study, "draft", &skins);
@@ -92,7 +93,7 @@ mod tests {
             );
             assert_eq!(
                 header["ground"],
-                json!({"x_mm": [-1.0, 1.0], "z_mm": [-50.0, -49.5]})
+                json!({"x_mm": [-1.0, 1.0], "z_mm": [-50.0, -49.5], "camber_deg": 2.5})
             );
             let numbers = &file[4 + length..];
             let lists = [

@@ -63,7 +63,7 @@ pub fn glb() -> &'static str {
 
 /// The header of a surface, after its length.
 pub fn surface() -> &'static str {
-    "{\"study\":\"019aa2b3-7c4d-7e5f-8a6b-1c2d3e4f5a6b\",\"level\":\"draft\",\"rows\":21,\"columns\":30,\"phi_deg\":[-120.0],\"theta_deg\":[-180.0],\"ground\":{\"x_mm\":[-50.0],\"z_mm\":[-49.0]},\"arrays\":[{\"name\":\"inner_inflated_mm\",\"unit\":\"mm\",\"components\":3,\"offset\":0,\"count\":630}]}"
+    "{\"study\":\"019aa2b3-7c4d-7e5f-8a6b-1c2d3e4f5a6b\",\"level\":\"draft\",\"rows\":21,\"columns\":30,\"phi_deg\":[-120.0],\"theta_deg\":[-180.0],\"ground\":{\"x_mm\":[-50.0],\"z_mm\":[-49.0],\"camber_deg\":0.0},\"arrays\":[{\"name\":\"inner_inflated_mm\",\"unit\":\"mm\",\"components\":3,\"offset\":0,\"count\":630}]}"
 }
 
 /// A layout that somebody moves by hand.

@@ -179,5 +179,5 @@ pub fn reaction(model: &TireModel, pressed: &Pressed) -> f64 {
     let contact = model.problem.contact.as_ref().expect("a tire has a tread");
     let field = pressed.loads.ground.as_ref().expect("it is pressed");
     let resultant = contact.resultant(field, |node| pressed.state.position(mesh, node));
-    model.multiplicity() * resultant.force[2]
+    model.multiplicity() * resultant.load
 }

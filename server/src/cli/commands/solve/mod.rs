@@ -108,7 +108,10 @@ impl Solve {
         if let Some(target) = &self.json {
             target.write(&json!(answer))?;
         }
-        let text = report(&solved, scene.ground.is_dragged());
+        let text = report(
+            &solved,
+            scene.ground.is_dragged() || scene.ground.camber_deg != 0.0,
+        );
         tell(&(slip_lines(answer.unlikely) + &text), self.json.as_ref())
     }
 
@@ -191,13 +194,22 @@ fn film_signal(film: &FilmState, signal: &FilmSignal) -> String {
     )
 }
 
-fn report(solved: &Solved, is_dragged: bool) -> String {
+/// `is_askew`: the ground does more than push along the wheel's vertical.
+fn report(solved: &Solved, is_askew: bool) -> String {
     let response = &solved.response;
     let mut text = String::new();
     // Writing to a string cannot fail.
     let _ = writeln!(text, "reaction            {:12.4} N", response.reaction_n);
-    if is_dragged && let Some([x, y, _]) = response.force_n {
-        let _ = writeln!(text, "force along x, y    {x:12.4} N{y:12.4} N");
+    let parts = [
+        ("force x, y, z", response.force_n, "N"),
+        ("moment x, y, z", response.moment_nmm, "N mm"),
+    ];
+    for (what, vector, unit) in parts.into_iter().filter(|_| is_askew) {
+        let Some([x, y, z]) = vector else { continue };
+        let _ = writeln!(
+            text,
+            "{what:<20}{x:12.4} {y:12.4} {z:12.4} {unit}, in the wheel's frame"
+        );
     }
     let _ = writeln!(text, "depth               {:12.4} mm", response.depth_mm);
     let _ = writeln!(
@@ -361,9 +373,11 @@ mod tests {
         assert!(document["model"].is_object() && document.get("map").is_none());
         assert!(report(&solved, false).contains("P3"));
         solved.response.force_n = Some([1.25, -0.5, 13.0]);
+        solved.response.moment_nmm = Some([86.5, 0.0, -2.0]);
         assert!(!report(&solved, false).contains("force"));
-        let dragged = report(&solved, true);
-        assert!(dragged.contains("1.2500 N") && dragged.contains("-0.5000 N"));
+        let askew = report(&solved, true);
+        assert!(askew.contains("1.2500      -0.5000      13.0000 N, in the wheel's frame"));
+        assert!(askew.contains("86.5000       0.0000      -2.0000 N mm"));
     }
 
     #[test]

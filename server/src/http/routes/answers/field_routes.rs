@@ -51,7 +51,7 @@ struct Level {
 ///
 /// Little-endian: the length H of the header as u32; H bytes of JSON, padded by spaces so that 4 + H is a multiple of 4; then lists of 32-bit floats. The header
 /// has `study`, `level`, `rows`, `columns`, `phi_deg` (a section angle for each row, from the crown), `theta_deg` (a wheel angle for each column, from -180 on, 0 at the
-/// contact), `ground` (its height `z_mm` over `x_mm`) and `arrays`: `name`, `unit`, `components`, `offset` in bytes from the end of the header and `count` of points, which
+/// contact), `ground` (its height `z_mm` over `x_mm` along its normal, to which the wheel leans by `camber_deg`) and `arrays`: `name`, `unit`, `components`, `offset` in bytes from the end of the header and `count` of points, which
 /// stand row after row. The last column's neighbour is the first. x is the rolling direction, y along the axle, z upward from the wheel's centre; a displacement leads
 /// from the inflated state to the equilibrium.
 #[utoipa::path(get, path = "/v1/studies/{id}/surface", tag = "answers",

@@ -14,6 +14,8 @@ export interface NumberField {
   high: number;
   /** Of the slider: from, to, step. */
   usual: readonly [number, number, number];
+  /** What it is where a document doesn't say it. */
+  absent?: number;
 }
 
 type Place = keyof typeof RANGES;
@@ -54,6 +56,7 @@ export const CARCASS: readonly NumberField[] = [
 ];
 
 export const FRICTION: NumberField = field("contact/friction", "Friction", "", [0, 1, 0.05]);
+export const CAMBER: NumberField = { ...field("ground/camber_deg", "Camber", "degrees", [-30, 30, 1]), absent: 0 };
 export const STATION_SPACING: NumberField = field("ground/station_spacing_mm", "Distance of the stations", "mm", [1, 15, 0.5]);
 export const LOAD: NumberField = field("ground/load_n", "Force on flat ground", "N", [0, 60, 0.5]);
 
@@ -84,6 +87,7 @@ export function numberFields(document: unknown): NumberField[] {
     ...(LAWS[String(law)]?.fields ?? []),
     ...optional("/scene/carcass", CARCASS),
     FRICTION,
+    CAMBER,
     STATION_SPACING,
     ...ground,
     ...optional("/scene/film", FILM),

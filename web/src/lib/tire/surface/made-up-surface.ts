@@ -20,7 +20,7 @@ export function surfaceBytes(columns: number, rows: number): ArrayBuffer {
   const names = ["inner_inflated_mm", "inner_displacement_mm", "outer_inflated_mm", "outer_displacement_mm"];
   const count = rows * columns;
   const arrays = names.map((name, k) => ({ name, unit: "mm", components: 3, offset: 12 * count * k, count }));
-  const ground = { x_mm: [-20, 20], z_mm: [-38, -38] };
+  const ground = { x_mm: [-20, 20], z_mm: [-38, -38], camber_deg: 0 };
   const text = JSON.stringify({ study: "made-up", level: "draft", rows, columns, phi_deg, theta_deg, ground, arrays });
   const header = new TextEncoder().encode(text.padEnd(4 * Math.ceil(text.length / 4)));
   const bytes = new Uint8Array(4 + header.length + 4 * 12 * count);

@@ -10,13 +10,20 @@ export interface Skin {
   displacement: Float32Array;
 }
 
+/** The ground's height over x along its normal; the wheel leans to that by its camber, right-handed about x. */
+export interface Ground {
+  x_mm: number[];
+  z_mm: number[];
+  camber_deg: number;
+}
+
 /** Skins over angles of the undeformed tire. A whole wheel's last column is its first, 360 degrees on. */
 export interface Surface extends MapGrid {
   inner: Skin;
   /** Absent where only the map's sector is known. */
   outer: Skin | null;
-  /** Height of the ground over x; absent where it isn't known. */
-  ground: { x_mm: number[]; z_mm: number[] } | null;
+  /** Absent where it isn't known. */
+  ground: Ground | null;
 }
 
 /** The header's fields that are read. */
@@ -25,7 +32,7 @@ interface Header {
   columns: number;
   phi_deg: number[];
   theta_deg: number[];
-  ground?: { x_mm: number[]; z_mm: number[] } | null;
+  ground?: Ground | null;
   arrays: { name: string; components: number; offset: number; count: number }[];
 }
 

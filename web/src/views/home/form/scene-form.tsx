@@ -1,6 +1,7 @@
 import { isTable, pathOfPointer, valueAt, withValue, type Table } from "../../../lib/document/document-values.ts";
 import { inputsOf } from "../../../lib/document/form/input-laws.ts";
 import {
+  CAMBER,
   CARCASS,
   depthFields,
   FILM,
@@ -49,7 +50,7 @@ function Numbers({ fields, full, faults, write }: FormProps & { fields: readonly
         {fields
           .filter((field) => !varies(field))
           .map((field) => {
-            const value = valueAt(full, field.pointer);
+            const value = valueAt(full, field.pointer) ?? field.absent;
             return (
               <NumberControl
                 key={field.pointer}
@@ -95,7 +96,7 @@ function Ground(props: FormProps) {
         chosen={isForce ? "force" : "depths"}
         onChoose={choose}
       />
-      <Numbers {...props} fields={[...(isForce ? [LOAD] : depthFields(full)), STATION_SPACING, FRICTION]} />
+      <Numbers {...props} fields={[...(isForce ? [LOAD] : depthFields(full)), STATION_SPACING, FRICTION, CAMBER]} />
     </FormGroup>
   );
 }

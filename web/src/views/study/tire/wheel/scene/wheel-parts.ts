@@ -79,5 +79,8 @@ function rimGeometry({ theta_deg, phi_deg, inner }: Surface): BufferGeometry {
 function groundGeometry({ ground, inner }: Surface): BufferGeometry | null {
   if (ground === null) return null;
   const half = GROUND_WIDTH * Math.abs(inner.inflated[1] ?? 0);
-  return stillGeometry([-half, half].map((y) => ground.x_mm.map((x, k): [number, number, number] => [x, y, ground.z_mm[k] as number])));
+  const camber = (ground.camber_deg * Math.PI) / 180;
+  const [sin, cos] = [Math.sin(camber), Math.cos(camber)];
+  const inWheel = (x: number, y: number, z: number): [number, number, number] => [x, cos * y + sin * z, cos * z - sin * y];
+  return stillGeometry([-half, half].map((y) => ground.x_mm.map((x, k) => inWheel(x, y, ground.z_mm[k] as number))));
 }

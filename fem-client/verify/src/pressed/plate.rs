@@ -3,8 +3,8 @@
 use std::sync::atomic::AtomicBool;
 
 use fem::cell::mesh::Surface;
-use fem::load::contact::{ContactSurface, Penalty};
-use fem::load::obstacle::{HeightField, StationFunctions};
+use fem::load::contact::{ContactResultant, ContactSurface, Penalty};
+use fem::load::obstacle::{GroundAxes, HeightField, StationFunctions};
 use fem::newton::iteration::Newton;
 use fem::problem::{Loads, Problem, State};
 use fem::tensor::Vector;
@@ -20,31 +20,38 @@ const PENALTY: Penalty = Penalty {
 
 /// Width within which the plate may be for the other code's contact, beyond where it is, mm: that contact is smoothed, over 0.004 mm in a problem
 /// whose settings are known, and seen to reach 0.0024 to 0.0043 mm here before the bound was set.
-pub(crate) const CONTACT_WIDTH: f64 = 0.005;
+pub(super) const CONTACT_WIDTH: f64 = 0.005;
 
 /// Lets a surface of the problem, whose normals point outwards, touch the plate.
-pub(crate) fn touch(problem: &mut Problem, surface: Surface) {
+pub(super) fn touch(problem: &mut Problem, surface: Surface) {
     problem.contact = Some(ContactSurface::new(&problem.mesh, surface, PENALTY));
 }
 
 /// A body on its way through the depths of a plate.
-pub(crate) struct Pressing<'p> {
+pub(super) struct Pressing<'p> {
     problem: &'p Problem,
     newton: Newton<'p>,
     /// Present equilibrium.
     pub state: State,
     loads: Loads,
+    axes: GroundAxes,
     lowest: f64,
 }
 
 impl<'p> Pressing<'p> {
     /// A body whose lowest point is at the height -`radius`, mm.
     pub fn new(problem: &'p Problem, radius: f64) -> Result<Self, Unsolved> {
+        Self::leaning(problem, radius, GroundAxes::LEVEL)
+    }
+
+    /// A body that touches a plate with these axes at a distance of `radius` from the origin, mm.
+    pub fn leaning(problem: &'p Problem, radius: f64, axes: GroundAxes) -> Result<Self, Unsolved> {
         Ok(Self {
             problem,
             newton: Newton::new(problem)?,
             state: State::reference(problem),
             loads: Loads::default(),
+            axes,
             lowest: -radius,
         })
     }
@@ -52,6 +59,7 @@ impl<'p> Pressing<'p> {
     /// Presses by a depth, mm.
     pub fn to(&mut self, depth: f64, stop: &AtomicBool) -> Result<(), Unsolved> {
         let ground = HeightField {
+            axes: self.axes,
             base: self.lowest,
             spacing: 1.0,
             functions: StationFunctions::Hat,
@@ -67,8 +75,16 @@ impl<'p> Pressing<'p> {
         Ok(())
     }
 
-    /// Force of the plate, N, and its second moment about x = 0, N mm^2, by the consistent nodal forces.
-    pub fn moments(&self) -> (f64, f64) {
+    /// Force and moment of the plate about the origin.
+    pub fn resultant(&self) -> ContactResultant {
+        let (Some(contact), Some(ground)) = (&self.problem.contact, &self.loads.ground) else {
+            return ContactResultant::default();
+        };
+        contact.resultant(ground, |node| self.state.position(&self.problem.mesh, node))
+    }
+
+    /// Force of the plate along its normal, N, and its second moment about 0 of its coordinate x (`axis` 0) or y (1), N mm^2, by the consistent nodal forces.
+    pub fn moments(&self, axis: usize) -> (f64, f64) {
         let (mut force, mut moment) = (0.0, 0.0);
         let (Some(contact), Some(ground)) = (&self.problem.contact, &self.loads.ground) else {
             return (force, moment);
@@ -79,9 +95,10 @@ impl<'p> Pressing<'p> {
             let positions: Vec<Vector> = positions.collect();
             let mut residual = vec![0.0; 3 * face.len()];
             contact.integrate(ground, index, &positions, &[], &mut residual, None);
-            for (x, r) in positions.iter().zip(residual.chunks_exact(3)) {
+            for (x, r) in positions.iter().zip(residual.as_chunks::<3>().0) {
+                let [x, r] = [*x, *r].map(|vector| self.axes.coordinates(vector));
                 force -= r[2];
-                moment -= r[2] * x[0] * x[0];
+                moment -= r[2] * x[axis] * x[axis];
             }
         }
         (force, moment)

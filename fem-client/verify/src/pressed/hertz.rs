@@ -8,28 +8,28 @@ use fem::cell::block::Block;
 use fem::cell::element::Order;
 use fem::problem::Problem;
 
+use super::plate::{CONTACT_WIDTH, Pressing, touch};
 use crate::body::{
     RUBBER, SHEAR_MODULUS, free_block, hold_coordinate_planes, quarter_circle, rubber,
 };
 use crate::family::Unsolved;
 use crate::known_case::Case;
 use crate::mesh_refinement::graded;
-use crate::plate::{CONTACT_WIDTH, Pressing, touch};
 
 /// Radius of the cylinder and of the ball, mm.
-const RADIUS: f64 = 10.0;
+pub(super) const RADIUS: f64 = 10.0;
 /// Radius of the cylinder's clamped shaft, mm.
-const SHAFT: f64 = 4.0;
+pub(super) const SHAFT: f64 = 4.0;
 /// Half the width of the square that is cut out of the ball, mm.
-const CUT: f64 = 6.0;
+pub(super) const CUT: f64 = 6.0;
 /// E / (1 - nu^2) of an incompressible body, MPa.
-const MODULUS: f64 = 4.0 * SHEAR_MODULUS;
+pub(super) const MODULUS: f64 = 4.0 * SHEAR_MODULUS;
 
-const LINE_SOURCE: &str = "Hertz: a^2 = 4 F R / (pi E*), for a / R -> 0";
+pub(super) const LINE_SOURCE: &str = "Hertz: a^2 = 4 F R / (pi E*), for a / R -> 0";
 const LINE_FORCE_SOURCE: &str =
     "independent code; tolerance: difference of its two meshes, and the reach of its contact";
-const BALL_FORCE_SOURCE: &str = "Hertz: F = 4/3 E* R^(1/2) d^(3/2), for a / R -> 0";
-const BALL_SOURCE: &str = "Hertz: a^3 = 3 F R / (4 E*), for a / R -> 0";
+pub(super) const BALL_FORCE_SOURCE: &str = "Hertz: F = 4/3 E* R^(1/2) d^(3/2), for a / R -> 0";
+pub(super) const BALL_SOURCE: &str = "Hertz: a^3 = 3 F R / (4 E*), for a / R -> 0";
 
 /// A quarter of a cylinder on its shaft, between two plates, graded towards the contact.
 fn cylinder() -> Problem {
@@ -50,7 +50,7 @@ fn cylinder() -> Problem {
 }
 
 /// The cylinder: force at a depth, and half width at a force.
-pub(super) fn line(stop: &AtomicBool) -> Result<Vec<Case>, Unsolved> {
+pub(crate) fn line(stop: &AtomicBool) -> Result<Vec<Case>, Unsolved> {
     // Depth, and force per length from an independent code on two meshes: 12 x 30 and 16 x 48 elements.
     let published = [
         (0.03, [0.02363038666319081, 0.02385210644060156]),
@@ -63,7 +63,7 @@ pub(super) fn line(stop: &AtomicBool) -> Result<Vec<Case>, Unsolved> {
     let (mut forces, mut widths) = (Vec::new(), Vec::new());
     for (depth, [coarse, fine]) in published {
         pressing.to(depth, stop)?;
-        let (half, moment) = pressing.moments();
+        let (half, moment) = pressing.moments(0);
         let force = 2.0 * half;
         // Second moment of the pressure p0 (1 - x^2/a^2)^(1/2): F a^2 / 4.
         let width = 2.0 * (moment / half).sqrt();
@@ -71,7 +71,7 @@ pub(super) fn line(stop: &AtomicBool) -> Result<Vec<Case>, Unsolved> {
         let name = format!("Hertz line, depth {depth} mm: half width, mm");
         widths.push((Case::relative(name, width, hertz), hertz));
         pressing.to(depth + CONTACT_WIDTH, stop)?;
-        let reach = 2.0 * pressing.moments().0 / force - 1.0;
+        let reach = 2.0 * pressing.moments(0).0 / force - 1.0;
         let name = format!("Hertz line, depth {depth} mm: force, N/mm");
         let tolerance = f64::abs(fine / coarse - 1.0) + reach;
         forces.push(Case::relative(name, force, fine).within(tolerance, LINE_FORCE_SOURCE));
@@ -121,13 +121,13 @@ fn ball_quarter() -> Problem {
 }
 
 /// The ball: force at a depth, and radius of the contact at a force.
-pub(super) fn ball(stop: &AtomicBool) -> Result<Vec<Case>, Unsolved> {
+pub(crate) fn ball(stop: &AtomicBool) -> Result<Vec<Case>, Unsolved> {
     let problem = ball_quarter();
     let mut pressing = Pressing::new(&problem, RADIUS)?;
     let (mut forces, mut radii) = (Vec::new(), Vec::new());
     for depth in [0.05, 0.1, 0.2] {
         pressing.to(depth, stop)?;
-        let (quarter, moment) = pressing.moments();
+        let (quarter, moment) = pressing.moments(0);
         let force = 4.0 * quarter;
         let radius = (RADIUS * depth).sqrt();
         let hertz = 4.0 / 3.0 * MODULUS * RADIUS.sqrt() * depth.powf(1.5);

@@ -6,12 +6,12 @@ use fem::cell::block::Block;
 use fem::cell::element::Order;
 use fem::problem::Problem;
 
+use super::plate::{CONTACT_WIDTH, Pressing, touch};
 use crate::body::{
     RUBBER, SHEAR_MODULUS, free_block, hold_coordinate_planes, quarter_circle, rubber,
 };
 use crate::family::Unsolved;
 use crate::known_case::Case;
-use crate::plate::{CONTACT_WIDTH, Pressing, touch};
 
 const INNER: f64 = 9.5;
 const OUTER: f64 = 12.5;
@@ -70,7 +70,7 @@ fn answer(problem: &Problem, pressing: &Pressing<'_>) -> PlateReading {
         let position = |node| pressing.state.position(&problem.mesh, node as u32);
         node.map_or([f64::NAN; 3], position)
     };
-    let force = 2.0 * pressing.moments().0;
+    let force = 2.0 * pressing.moments(0).0;
     [
         force,
         place([0.0, 0.0, -INNER])[2],
@@ -79,7 +79,7 @@ fn answer(problem: &Problem, pressing: &Pressing<'_>) -> PlateReading {
 }
 
 /// Force and shape at several depths.
-pub(super) fn cases(stop: &AtomicBool) -> Result<Vec<Case>, Unsolved> {
+pub(crate) fn cases(stop: &AtomicBool) -> Result<Vec<Case>, Unsolved> {
     let problem = quarter();
     let mut pressing = Pressing::new(&problem, OUTER)?;
     let names = ["force, N/mm", "lowest inner point, mm", "half width, mm"];

@@ -1,0 +1,288 @@
+//! The reference tire on ground below a wheel that leans.
+
+use std::sync::atomic::AtomicBool;
+
+use fem::newton::iteration::{Newton, NewtonSettings};
+use fem::newton::path::{Stability, follow};
+use fem::problem::{Loads, State};
+use fem::tensor::cross;
+use fem_client::scene::{Level, Scene};
+use fem_client::solver::gauge::Gauge;
+use fem_client::solver::{Readout, Response, SolveRequest, Solved, Solver, StartState};
+use tire::embedded::EmbeddedSolver;
+use tire::mesh::tire_grid::Extent;
+use tire::model::{TireModel, mesh_plan};
+
+static RUNNING: AtomicBool = AtomicBool::new(false);
+/// An equilibrium to 1e-8 of the forces leaves 1e-8 in a strain.
+const STRAIN: f64 = 1e-7;
+/// Tolerance of a force, relative to the reaction, for the same reason.
+const FORCE: f64 = 1e-6;
+
+fn leaning(camber_deg: f64) -> Scene {
+    let mut scene = Scene::preset("foot-tire").expect("the preset ships");
+    scene.model.level = Level::Draft;
+    scene.ground.camber_deg = camber_deg;
+    scene
+}
+
+/// Strains along the section on both sides of the middle plane, from -50 to 50 degrees.
+fn readout() -> Readout {
+    let gauges = [-50.0, -20.0, 0.0, 20.0, 50.0].map(|phi_deg| Gauge {
+        theta_deg: 4.0,
+        phi_deg,
+        angle_deg: 90.0,
+    });
+    Readout {
+        gauges: gauges.to_vec(),
+        ..Readout::default()
+    }
+}
+
+fn answer(scene: &Scene, readout: &Readout, start: Option<&StartState>) -> Solved {
+    let request = SolveRequest {
+        scene,
+        readout,
+        start,
+        watch: &RUNNING,
+    };
+    let solved = EmbeddedSolver::default().solve(&request);
+    solved.expect("an equilibrium")
+}
+
+fn solve(scene: &Scene) -> Response {
+    answer(scene, &readout(), None).response
+}
+
+fn force(response: &Response) -> [f64; 3] {
+    response.force_n.expect("the embedded solver tells")
+}
+
+fn moment(response: &Response) -> [f64; 3] {
+    response.moment_nmm.expect("the embedded solver tells")
+}
+
+fn across(response: &Response) -> Vec<f64> {
+    response.gauges.iter().map(|gauge| gauge.strain).collect()
+}
+
+fn assert_close(a: &[f64], b: &[f64], tolerance: f64) {
+    assert_eq!(a.len(), b.len());
+    for (x, y) in a.iter().zip(b) {
+        assert!((x - y).abs() < tolerance, "{a:?} {b:?}");
+    }
+}
+
+/// The force is along the normal without friction, which meets the section's circle in its middle: the arm about the wheel's centre is that of the middle.
+#[test]
+fn the_ground_pushes_along_its_normal() {
+    for camber in [-30.0f64, -5.0, 10.0, 30.0] {
+        let response = solve(&leaning(camber));
+        let (sin, cos) = camber.to_radians().sin_cos();
+        let [x, y, z] = force(&response);
+        let load = response.reaction_n;
+        assert_close(&[x, y, z], &[0.0, load * sin, load * cos], 1e-12 * load);
+        let [mx, my, mz] = moment(&response);
+        assert_eq!([my, mz], [0.0; 2]);
+        // The pressed wall isn't quite a circle.
+        let arm = mx / load;
+        assert!((arm / (37.5 * sin) - 1.0).abs() < 0.03, "{arm} mm");
+        assert_eq!(response.model.dimension, "3d-half");
+    }
+}
+
+#[test]
+fn leaning_the_other_way_exchanges_the_sides() {
+    let scene = |camber, depths: [f64; 5]| {
+        let mut scene = leaning(camber);
+        scene.ground.depths_mm = depths.to_vec();
+        scene
+    };
+    let depths = [1.2, 1.0, 0.9, 1.1, 0.8];
+    let [one, other] = [12.0, -12.0].map(|camber| solve(&scene(camber, depths)));
+    assert_eq!(one.model.dimension, "3d");
+    let mut mirrored = across(&other);
+    mirrored.reverse();
+    assert_close(&across(&one), &mirrored, STRAIN);
+    assert!((mirrored[0] - mirrored[4]).abs() > 0.01, "{mirrored:?}");
+    let [x, y, z] = force(&other);
+    assert_close(&force(&one), &[x, -y, z], FORCE * z);
+    let [x, y, z] = moment(&other);
+    assert_close(&moment(&one), &[-x, y, -z], 50.0 * FORCE * one.reaction_n);
+    // A positive camber presses the side at negative section angles, where the wall flattens.
+    let [pressed, free] = [1, 3].map(|k| across(&one)[k]);
+    assert!(pressed > free, "{pressed} {free}");
+}
+
+#[test]
+fn the_front_answers_for_the_whole_tire() {
+    let front = solve(&leaning(12.0));
+    let mut scene = leaning(12.0);
+    // A femtometre asks for the whole tire and changes nothing else.
+    scene.ground.depths_mm[4] += 1e-12;
+    let whole = solve(&scene);
+    let extents = [&front, &whole].map(|response| response.model.dimension.as_str());
+    assert_eq!(extents, ["3d-half", "3d"]);
+    assert_close(&across(&front), &across(&whole), STRAIN);
+    assert_close(&force(&front), &force(&whole), FORCE * front.reaction_n);
+    assert_close(
+        &moment(&front),
+        &moment(&whole),
+        50.0 * FORCE * front.reaction_n,
+    );
+}
+
+#[test]
+fn a_wheel_that_hardly_leans_stands_upright() {
+    let (upright, hardly) = (solve(&leaning(0.0)), solve(&leaning(1e-5)));
+    assert_eq!(upright.model.dimension, "3d-quarter");
+    // 2e-7 rad times strains that change by 0.3 in a radian, and the touching point between nodes.
+    assert_close(&across(&upright), &across(&hardly), STRAIN);
+    assert!((hardly.reaction_n / upright.reaction_n - 1.0).abs() < FORCE);
+}
+
+#[test]
+fn ground_that_presses_with_a_force_does_so_along_its_normal() {
+    let mut scene = leaning(15.0);
+    scene.ground.depths_mm.clear();
+    scene.ground.load_n = Some(13.0);
+    let by_force = solve(&scene);
+    assert!((by_force.reaction_n / 13.0 - 1.0).abs() < FORCE);
+    scene.ground = scene.ground.at_depths(vec![by_force.depth_mm; 5]);
+    let by_depth = solve(&scene);
+    assert_close(&across(&by_force), &across(&by_depth), 1e-6);
+    assert!((by_depth.reaction_n / 13.0 - 1.0).abs() < FORCE);
+}
+
+/// The starts are an upright wheel, of which a quarter is meshed, and one that leans.
+#[test]
+fn a_start_elsewhere_leads_to_the_same_place() {
+    let mut scene = leaning(8.0);
+    let cold = solve(&scene);
+    for camber in [0.0, -4.0] {
+        let start = answer(&leaning(camber), &readout(), None).state;
+        let warm = answer(&scene, &readout(), Some(&start));
+        assert_close(&across(&warm.response), &across(&cold), STRAIN);
+    }
+    // Another wall than the start's, which serves as a guess.
+    let start = answer(&leaning(0.0), &readout(), None).state;
+    scene.geometry.wall_mm *= 1.01;
+    let warm = answer(&scene, &readout(), Some(&start)).response;
+    assert_close(&across(&warm), &across(&solve(&scene)), STRAIN);
+}
+
+/// The bead holds what the ground does: force and moment come from all of the body's stresses there, from contact pressures and friction here. The pressure
+/// itself has neither, as the beads are circles.
+#[test]
+fn the_bead_holds_force_and_moment_of_the_ground() {
+    for friction in [0.0, 0.5] {
+        let mut scene = leaning(11.0);
+        scene.ground.depths_mm = vec![1.2, 1.0, 0.9, 1.1, 0.8];
+        scene.contact.friction = friction;
+        if friction > 0.0 {
+            scene.ground.shift_mm = [0.3, 0.2];
+        }
+        let model = TireModel::new(&scene, &mesh_plan(&scene, Level::Draft), Extent::Full);
+        let mut newton = Newton::new(&model.problem).expect("a valid mesh");
+        newton.settings = NewtonSettings {
+            tolerance: 1e-13,
+            ..NewtonSettings::default()
+        };
+        let mut state = State::reference(&model.problem);
+        let mut reach = |start: &Loads, target: &Loads, steps: f64| {
+            newton.settings.largest_load_step = 1.0 / steps;
+            let ignored = Stability::Ignored;
+            follow(&mut newton, &mut state, start, target, ignored, &RUNNING)
+                .expect("an equilibrium");
+            state.clone()
+        };
+        let inflated = Loads {
+            pressure: scene.pressure.internal_mpa,
+            ..Loads::default()
+        };
+        let state = reach(&Loads::default(), &inflated, 1.0);
+        let loads = Loads {
+            ground: Some(model.ground_below(&scene.ground, &state)),
+            ..inflated.clone()
+        };
+        let undragged = loads.with_shift([0.0; 2]);
+        reach(&inflated, &undragged, 4.0);
+        let state = reach(&undragged, &loads, 4.0);
+        let position = |node| state.position(&model.problem.mesh, node);
+        let (contact, ground) = (model.problem.contact.as_ref(), loads.ground.as_ref());
+        let (contact, ground) = (contact.expect("a tread"), ground.expect("set above"));
+        let pressing = contact.resultant(ground, position).wrench;
+        let rubbing = contact.friction_wrench(ground, &state.anchors, position);
+        let mut sums = [[0.0; 3]; 2];
+        for i in 0..3 {
+            sums[0][i] = pressing.force[i] + rubbing.force[i];
+            sums[1][i] = pressing.moment[i] + rubbing.moment[i];
+        }
+        let largest = sums.map(|sum| sum.iter().fold(0.0, |most: f64, part| most.max(part.abs())));
+        assert!(largest[0] > 10.0 && largest[1] > 50.0, "{sums:?}");
+        for (node, held) in newton.reactions(&state, &loads).iter().enumerate() {
+            let turning = cross(&position(node as u32), held);
+            for i in 0..3 {
+                sums[0][i] += held[i];
+                sums[1][i] += turning[i];
+            }
+        }
+        for (sum, largest) in sums.iter().zip(largest) {
+            for part in sum {
+                assert!(part.abs() < 1e-10 * largest, "{sums:?} of {largest}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_derivative_by_the_camber_is_the_limit_of_differences() {
+    let by = "ground.camber_deg";
+    for camber in [0.0, 6.0] {
+        let mut readout = readout();
+        readout.derivatives = vec![by.to_owned()];
+        let scene = leaning(camber);
+        let found = answer(&scene, &readout, None).response.derivatives;
+        let of = |path: &[&str]| {
+            let start = serde_json::Value::Object(found[0].of.clone());
+            path.iter().fold(start, |value, name| value[name].clone())
+        };
+        let step = 0.01;
+        let sides = [-step, step].map(|step| solve(&leaning(camber + step)));
+        let difference = |read: &dyn Fn(&Response) -> f64| {
+            let [low, high] = sides.each_ref().map(read);
+            (high - low) / (2.0 * step)
+        };
+        for (k, gauge) in found[0].of["gauges"]
+            .as_array()
+            .expect("a list")
+            .iter()
+            .enumerate()
+        {
+            let expected = difference(&|response| response.gauges[k].strain);
+            let own = gauge["strain"].as_f64().expect("a number");
+            // Equilibria to 1e-8 over the step, and its square.
+            assert!((own - expected).abs() < 2e-6, "{k}: {own} {expected}");
+        }
+        let expected = difference(&|response| force(response)[1]);
+        let own = of(&["force_n"])[1].as_f64().expect("a number");
+        assert!((own - expected).abs() < 1e-5 * 13.0, "{own} {expected}");
+    }
+}
+
+/// Depths from the first touch to deep contact, on ground that meets the wall far from the crown.
+#[test]
+fn extremes_have_an_equilibrium() {
+    for camber in [-30.0, 30.0] {
+        let mut loads = Vec::new();
+        for depth in [1e-6, 0.1, 3.0] {
+            let mut scene = leaning(camber);
+            scene.ground.depths_mm = vec![depth; 5];
+            let response = solve(&scene);
+            assert!((response.depth_mm - depth).abs() < 1e-12);
+            loads.push(response.reaction_n);
+        }
+        assert!(loads[0] >= 0.0 && loads[0] < 1e-3, "{loads:?}");
+        assert!(loads[1] > loads[0] && loads[2] > 30.0, "{loads:?}");
+    }
+}

@@ -1,1 +1,0 @@
-export{Bt as readToml}from"../views-Dd4tQc0N.js";

@@ -1,0 +1,1 @@
+export{Bt as readToml}from"../views-DEI916G8.js";
