@@ -547,6 +547,15 @@ export interface components {
             /** @description The study that answers for it. */
             study: components["schemas"]["StudySummary"];
         };
+        /** @description Error with another drift of the readings. */
+        DriftError: {
+            /** @description The drift in words, as a share of a film's full scale. */
+            drift: string;
+            /** @description Error of the estimates then. */
+            error: components["schemas"]["TrialError"];
+            /** @description Error of the rows with a contact alone. */
+            in_contact: components["schemas"]["TrialError"];
+        };
         /** @description Error on another tire. */
         ElsewhereError: {
             /** @description Difference from the study's tire, in words. */
@@ -1078,6 +1087,10 @@ export interface components {
             leak?: number | null;
             /** @description Error on runs that nobody learnt from: films have other gains there. */
             fresh: components["schemas"]["TrialError"];
+            /** @description Error there of the rows with a contact alone. */
+            in_contact?: components["schemas"]["TrialError"];
+            /** @description Errors there where readings drift otherwise, learnt anew with each drift. */
+            drift?: components["schemas"]["DriftError"][];
             dead?: components["schemas"]["DeadFilmError"] | null;
             /** @description Error there with films that lie elsewhere than those that were learnt from. */
             askew: components["schemas"]["AskewError"];
@@ -5587,6 +5600,7 @@ export type Derivative = components['schemas']['Derivative'];
 export type DesignCounts = components['schemas']['DesignCounts'];
 export type DesignEstimate = components['schemas']['DesignEstimate'];
 export type DesignView = components['schemas']['DesignView'];
+export type DriftError = components['schemas']['DriftError'];
 export type ElsewhereError = components['schemas']['ElsewhereError'];
 export type EntryChange = components['schemas']['EntryChange'];
 export type ErrorSources = components['schemas']['ErrorSources'];
@@ -6035,6 +6049,10 @@ export const FORCES_COLUMNS = {
   fresh_nrmse_percent: {"at":"/force/fresh/nrmse_percent","kind":"float","unit":"%","title":"NRMSE","digits":1,"view":"known","description":"RMSE over the range of the true forces, %; null where these don't vary."},
   fresh_r2: {"at":"/force/fresh/r2","kind":"float","unit":"1","title":"R2","digits":2,"view":"known","description":"Coefficient of determination; null where the true forces don't vary."},
   fresh_coverage: {"at":"/force/fresh/coverage","kind":"float","unit":"1","title":"covered","digits":2,"view":"known","description":"Share of the true forces within their 95 % intervals."},
+  contact_rmse_n: {"at":"/force/in_contact/rmse_n","kind":"float","unit":"N","title":"in contact","digits":2,"view":"known","description":"Root of the mean squared error, N."},
+  contact_nrmse_percent: {"at":"/force/in_contact/nrmse_percent","kind":"float","unit":"%","title":"in contact NRMSE","digits":1,"description":"RMSE over the range of the true forces, %; null where these don't vary."},
+  contact_r2: {"at":"/force/in_contact/r2","kind":"float","unit":"1","title":"in contact R2","digits":2,"description":"Coefficient of determination; null where the true forces don't vary."},
+  contact_coverage: {"at":"/force/in_contact/coverage","kind":"float","unit":"1","title":"in contact covered","digits":2,"description":"Share of the true forces within their 95 % intervals."},
   dead_rmse_n: {"at":"/force/dead/error/rmse_n","kind":"float","unit":"N","title":"one dead","digits":2,"view":"known","description":"Root of the mean squared error, N."},
   dead_nrmse_percent: {"at":"/force/dead/error/nrmse_percent","kind":"float","unit":"%","title":"one dead NRMSE","digits":1,"description":"RMSE over the range of the true forces, %; null where these don't vary."},
   dead_r2: {"at":"/force/dead/error/r2","kind":"float","unit":"1","title":"one dead R2","digits":2,"description":"Coefficient of determination; null where the true forces don't vary."},
@@ -6057,6 +6075,13 @@ export const ELSEWHERE_COLUMNS = {
   own_rmse_n: {"at":"/force/fresh/rmse_n","kind":"float","unit":"N","title":"on its own tire","digits":2,"view":"other tires","description":"Root of the mean squared error, N."},
   coverage: {"at":"/other/error/coverage","kind":"share","unit":"1","title":"covered","digits":0,"view":"other tires","description":"Share of the true forces within their 95 % intervals."},
   outside: {"at":"/other/error/outside","kind":"share","unit":"1","title":"flagged","digits":0,"view":"other tires","description":"Share of the rows that are flagged: one of their signals is beyond what was learnt from."},
+} as const;
+
+/** Columns of drifts. */
+export const DRIFTS_COLUMNS = {
+  rmse_n: {"at":"/drift/error/rmse_n","kind":"float","unit":"N","title":"off by","digits":2,"view":"drift","description":"Root of the mean squared error, N."},
+  nrmse_percent: {"at":"/drift/error/nrmse_percent","kind":"float","unit":"%","title":"NRMSE","digits":1,"view":"drift","description":"RMSE over the range of the true forces, %; null where these don't vary."},
+  in_contact: {"at":"/drift/in_contact/rmse_n","kind":"float","unit":"1","title":"in contact","digits":2,"view":"drift","description":"Root of the mean squared error, N."},
 } as const;
 
 /** Columns of models. */

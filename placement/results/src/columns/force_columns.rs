@@ -17,6 +17,7 @@ pub fn forces() -> Table {
     ];
     for (name, title, at) in [
         ("fresh", "", "/force/fresh"),
+        ("contact", "in contact", "/force/in_contact"),
         ("dead", "one dead", "/force/dead/error"),
         ("askew", "films off", "/force/askew/error"),
     ] {
@@ -72,6 +73,24 @@ pub fn elsewhere() -> Table {
     Table {
         name: "elsewhere",
         parts: &[("force", "ForceError"), ("other", "ElsewhereError")],
+        columns,
+    }
+}
+
+/// Columns for rows of [`force_with`](super::table_rows::force_with), for people alone.
+pub fn drifts() -> Table {
+    let shown = |name: &str, at: &str, title: &str, digits: usize| {
+        let column = Column::float(name, at).titled(title, digits);
+        column.in_view("drift").unexported()
+    };
+    let columns = vec![
+        shown("rmse_n", "/drift/error/rmse_n", "off by", 2),
+        shown("nrmse_percent", "/drift/error/nrmse_percent", "NRMSE", 1),
+        shown("in_contact", "/drift/in_contact/rmse_n", "in contact", 2),
+    ];
+    Table {
+        name: "drifts",
+        parts: &[("force", "ForceError"), ("drift", "DriftError")],
         columns,
     }
 }

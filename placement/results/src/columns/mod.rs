@@ -17,14 +17,14 @@ pub mod unit;
 pub use answer_table::Table;
 pub use comparison_columns::{compared_locations, designs};
 pub use figure_column::{Column, Kind, text};
-pub use force_columns::{elsewhere, forces, models};
+pub use force_columns::{drifts, elsewhere, forces, models};
 pub use layout_columns::{candidates, films, layouts, trade};
 pub use location_columns::{indices, locations};
 pub use rung_columns::rungs;
 pub use signal_columns::signals;
 
 /// Every table but that of solved points, whose columns are a study's own inputs and locations.
-pub fn tables() -> [Table; 13] {
+pub fn tables() -> [Table; 14] {
     [
         indices(),
         locations(),
@@ -35,6 +35,7 @@ pub fn tables() -> [Table; 13] {
         signals(),
         forces(),
         elsewhere(),
+        drifts(),
         models(),
         compared_locations(),
         designs(),

@@ -4,7 +4,7 @@ use estimation::recipe::SplitKind;
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use crate::{ElsewhereError, ForceError, RankedLayout, SplitError, StudyResult};
+use crate::{DriftError, ElsewhereError, ForceError, RankedLayout, SplitError, StudyResult};
 
 /// A part of an answer as JSON; null where it can't be said, which none of ours is.
 fn of(part: impl Serialize) -> Value {
@@ -113,6 +113,11 @@ pub fn force(layout: &RankedLayout, force: &ForceError) -> Value {
 /// The row of a force on another tire.
 pub fn force_on(other: &ElsewhereError, force: &ForceError) -> Value {
     json!({ "other": other, "force": force })
+}
+
+/// The row of a force with another drift.
+pub fn force_with(drift: &DriftError, force: &ForceError) -> Value {
+    json!({ "drift": drift, "force": force })
 }
 
 /// Error on runs that were left out, or cycles of one run.

@@ -23,6 +23,12 @@ pub struct ForceError {
     pub leak: Option<f64>,
     /// Error on runs that nobody learnt from: films have other gains there.
     pub fresh: TrialError,
+    /// Error there of the rows with a contact alone.
+    #[serde(default)]
+    pub in_contact: TrialError,
+    /// Errors there where readings drift otherwise, learnt anew with each drift.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub drift: Vec<DriftError>,
     /// Error there with the one film dead whose loss costs most; null where the training mean is given, which reads no film.
     pub dead: Option<DeadFilmError>,
     /// Error there with films that lie elsewhere than those that were learnt from.
@@ -103,6 +109,18 @@ pub struct TrialError {
     pub outside: Option<f64>,
 }
 
+impl ForceError {
+    /// Least and greatest error by the drift of the readings, its own among them, N; `None` where no other was tried.
+    pub fn range_by_drift_n(&self) -> Option<(f64, f64)> {
+        let drifts = self.drift.iter().filter_map(|drift| drift.error.rmse_n);
+        let own = self.fresh.rmse_n?;
+        drifts.fold(None, |range, error| {
+            let (low, high) = range.unwrap_or((own, own));
+            Some((f64::min(low, error), f64::max(high, error)))
+        })
+    }
+}
+
 impl TrialError {
     /// Errors of estimates, one for each true force, N, with the shares of rows whose interval holds the truth and that are flagged.
     pub fn of(truth_n: &[f64], estimates_n: &[f64], covered: f64, flagged: f64) -> Self {
@@ -116,6 +134,17 @@ impl TrialError {
             outside: Some(flagged),
         }
     }
+}
+
+/// Error with another drift of the readings.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
+pub struct DriftError {
+    /// The drift in words, as a share of a film's full scale.
+    pub drift: String,
+    /// Error of the estimates then.
+    pub error: TrialError,
+    /// Error of the rows with a contact alone.
+    pub in_contact: TrialError,
 }
 
 /// Error with a film dead.
@@ -154,4 +183,48 @@ pub struct WorstContact {
     pub deg: f64,
     /// Root of the mean squared error of rows with a contact there, N.
     pub rmse_n: f64,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn off_by(rmse_n: f64) -> TrialError {
+        TrialError {
+            rmse_n: Some(rmse_n),
+            ..TrialError::default()
+        }
+    }
+
+    #[test]
+    fn the_range_by_drift_holds_the_rigs_own() {
+        let with = |own: f64, others: &[f64]| {
+            let drift = others.iter().map(|rmse_n| DriftError {
+                drift: String::new(),
+                error: off_by(*rmse_n),
+                in_contact: TrialError::default(),
+            });
+            let error = ForceError {
+                axis: "fz".to_owned(),
+                chosen: Kind::Ridge,
+                features: FeatureSet::Raw,
+                useful: true,
+                splits: Vec::new(),
+                leak: None,
+                fresh: off_by(own),
+                in_contact: TrialError::default(),
+                drift: drift.collect(),
+                dead: None,
+                askew: AskewError::default(),
+                elsewhere: Vec::new(),
+                worst_contact: None,
+                floor_n: None,
+                reason: None,
+            };
+            error.range_by_drift_n()
+        };
+        assert_eq!(with(1.0, &[0.5, 3.0]), Some((0.5, 3.0)));
+        assert_eq!(with(4.0, &[0.5, 3.0]), Some((0.5, 4.0)));
+        assert_eq!(with(1.0, &[]), None);
+    }
 }

@@ -9,7 +9,7 @@ use estimation::features::GROUPS;
 use crate::contact_response::TurnableFilms;
 use crate::force_error::learnt_force::LearntForce;
 use crate::force_error::thinned_run::{ThinnedRun, thinning};
-use crate::force_error::tried_rows::{TriedRow, error_of, tried, worst_contact};
+use crate::force_error::tried_rows::{TriedRow, error_of, in_contact, tried, worst_contact};
 use crate::seeded_draws::{SeededDraws, Stream};
 use documents::rig::rig_settings::RigSettings;
 use results::film::force_error::{
@@ -32,6 +32,16 @@ pub(crate) struct FreshTrials {
     askew: Vec<ThinnedRun>,
     elsewhere: Vec<Elsewhere>,
     contact_deg: [f64; 2],
+}
+
+/// Errors on runs as they come.
+pub(crate) struct Fresh {
+    /// Error of all rows.
+    pub fresh: TrialError,
+    /// Error of those with a contact.
+    pub in_contact: TrialError,
+    /// Worst part of the wheel.
+    pub worst_contact: Option<WorstContact>,
 }
 
 /// Another tire with the same films.
@@ -57,7 +67,7 @@ impl FreshTrials {
     /// Records them, counted behind those of the settings; None where the caller stops meanwhile.
     pub fn recorded<R: TurnableFilms>(
         response: &R,
-        others: &[OtherTire<R>],
+        others: &[&OtherTire<R>],
         settings: &RigSettings,
         stop: &AtomicBool,
     ) -> Option<Self> {
@@ -96,11 +106,14 @@ impl FreshTrials {
         })
     }
 
-    /// Tries it on the runs as they come; with the worst contacts.
-    pub fn fresh(&self, learnt: &LearntForce, axis: usize) -> (TrialError, Option<WorstContact>) {
+    /// Tries it on the runs as they come.
+    pub fn fresh(&self, learnt: &LearntForce, axis: usize) -> Fresh {
         let tried = tried(learnt, &self.fresh, axis);
-        let worst = worst_contact(&self.fresh, &tried, self.contact_deg);
-        (error_of(&tried), worst)
+        Fresh {
+            fresh: error_of(&tried),
+            in_contact: error_of(&in_contact(&self.fresh, &tried)),
+            worst_contact: worst_contact(&self.fresh, &tried, self.contact_deg),
+        }
     }
 
     /// Tries it on the runs with films askew.

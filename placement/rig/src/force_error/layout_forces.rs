@@ -5,7 +5,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use estimation::recipe::{FeatureSet, Kind, Recipe};
 
 use crate::contact_response::TurnableFilms;
-use crate::force_error::fresh_trials::{FreshTrials, OtherTire};
+use crate::force_error::drifts::drifts;
+use crate::force_error::fresh_trials::{Fresh, FreshTrials, OtherTire};
 use crate::force_error::instant_floor::floors_n;
 use crate::force_error::learnt_force::{AxisRows, LearntForce, Unlearnt, labelled, learnt, recipe};
 use crate::force_error::thinned_run::{ThinnedRun, thinning};
@@ -23,10 +24,20 @@ pub fn force_errors<R: TurnableFilms>(
     settings: &RigSettings,
     stop: &AtomicBool,
 ) -> Option<Vec<ForceError>> {
-    let rehearsal = Rehearsal::recorded(response, others, settings, stop)?;
-    (0..AXES.len())
-        .map(|axis| rehearsal.error(axis, stop))
-        .collect()
+    let all: Vec<&OtherTire<R>> = others.iter().collect();
+    let rehearsal = Rehearsal::recorded(response, &all, settings, stop)?;
+    let errors = (0..AXES.len()).map(|axis| rehearsal.error(axis, stop));
+    let mut errors = errors.collect::<Option<Vec<ForceError>>>()?;
+    let learnt: Vec<&OtherTire<R>> = others.iter().filter(|other| other.learnt).collect();
+    for drift in drifts(&settings.noise) {
+        let drifting = drift.of(settings);
+        let rehearsal = Rehearsal::recorded(response, &learnt, &drifting, stop)?;
+        let useful = errors.iter_mut().enumerate();
+        for (axis, error) in useful.filter(|(_, error)| error.useful) {
+            error.drift.push(drift.error(&rehearsal.error(axis, stop)?));
+        }
+    }
+    Some(errors)
 }
 
 /// Runs that are learnt from, and what the models are tried on.
@@ -44,7 +55,7 @@ struct Rehearsal {
 impl Rehearsal {
     fn recorded<R: TurnableFilms>(
         response: &R,
-        others: &[OtherTire<R>],
+        others: &[&OtherTire<R>],
         settings: &RigSettings,
         stop: &AtomicBool,
     ) -> Option<Self> {
@@ -84,7 +95,11 @@ impl Rehearsal {
 }
 
 fn tried(axis: usize, learnt: LearntForce, trials: &FreshTrials) -> ForceError {
-    let (fresh, worst_contact) = trials.fresh(&learnt, axis);
+    let Fresh {
+        fresh,
+        in_contact,
+        worst_contact,
+    } = trials.fresh(&learnt, axis);
     let useful = learnt.chosen.kind != Kind::Mean;
     let dead = || trials.dead(&learnt, axis);
     ForceError {
@@ -94,6 +109,8 @@ fn tried(axis: usize, learnt: LearntForce, trials: &FreshTrials) -> ForceError {
         useful,
         leak: learnt.leak,
         fresh,
+        in_contact,
+        drift: Vec::new(),
         dead: useful.then(dead).flatten(),
         askew: trials.askew(&learnt, axis),
         elsewhere: trials.elsewhere(&learnt, axis),
@@ -113,6 +130,8 @@ fn unknown(axis: usize, reason: String) -> ForceError {
         splits: Vec::new(),
         leak: None,
         fresh: TrialError::default(),
+        in_contact: TrialError::default(),
+        drift: Vec::new(),
         dead: None,
         askew: AskewError::default(),
         elsewhere: Vec::new(),
@@ -231,7 +250,7 @@ pub(crate) mod tests {
         // Every second run is on the other tire where that is learnt from, too.
         let recorded = |learnt: bool| {
             let others = [other("turned", learnt, turned.clone())];
-            let found = Rehearsal::recorded(&tire, &others, &shortest(), &GO_ON);
+            let found = Rehearsal::recorded(&tire, &[&others[0]], &shortest(), &GO_ON);
             found.expect("not stopped").runs
         };
         let (own, both) = (recorded(false), recorded(true));

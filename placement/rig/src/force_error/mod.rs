@@ -5,11 +5,13 @@
 //! - [`fresh_trials`]: the same on runs that nobody learnt from, with films dead or askew
 //! - `tried_rows`: estimates beside true forces
 //! - `instant_floor`: how well one instant's readings can tell forces at all
+//! - `drifts`: drifts of the readings with which they are learnt anew
 //! - [`layout_forces`]: all three forces of a layout
 //! - [`force_prices`]: what a force's error costs in films
 //! - [`assumed_rig`]: what is assumed of the rig, in sentences
 
 pub mod assumed_rig;
+mod drifts;
 pub mod force_prices;
 pub mod fresh_trials;
 pub(crate) mod instant_floor;

@@ -73,6 +73,13 @@ pub fn error_of(rows: &[TriedRow]) -> TrialError {
     )
 }
 
+/// Returns the rows of these runs, in order, where the ground is touched.
+pub fn in_contact(runs: &[ThinnedRun], rows: &[TriedRow]) -> Vec<TriedRow> {
+    let touching = rows_of(runs).zip(rows);
+    let touching = touching.filter(|((run, row), _)| run.touches(*row));
+    touching.map(|(_, tried)| *tried).collect()
+}
+
 /// The part of the wheel between two angles whose contacts are known worst, of these runs and their rows, in order.
 pub fn worst_contact(
     runs: &[ThinnedRun],

@@ -35,6 +35,7 @@ __all__ = [
     "Design",
     "DesignCounts",
     "DesignEstimate",
+    "DriftError",
     "ElsewhereError",
     "ErrorParts",
     "ErrorSources",
@@ -641,6 +642,18 @@ class DesignEstimate:
 
 
 @dataclass(frozen=True, kw_only=True)
+class DriftError:
+    """Error with another drift of the readings."""
+
+    drift: str
+    """The drift in words, as a share of a film's full scale."""
+    error: TrialError
+    """Error of the estimates then."""
+    in_contact: TrialError
+    """Error of the rows with a contact alone."""
+
+
+@dataclass(frozen=True, kw_only=True)
 class ElsewhereError:
     """Error on another tire."""
 
@@ -1050,6 +1063,10 @@ class ForceError:
     how far a random split would have misled. Null of the training mean."""
     fresh: TrialError
     """Error on runs that nobody learnt from: films have other gains there."""
+    in_contact: TrialError | None = None
+    """Error there of the rows with a contact alone."""
+    drift: tuple[DriftError, ...] = ()
+    """Errors there where readings drift otherwise, learnt anew with each drift."""
     dead: DeadFilmError | None = None
     """Error there with the one film dead whose loss costs most; None where the training mean is given, which reads
     no film."""
@@ -2946,6 +2963,10 @@ COLUMNS: dict[str, list[tuple[str, str, str | None]]] = {
         ("fresh_nrmse_percent", "/force/fresh/nrmse_percent", None),
         ("fresh_r2", "/force/fresh/r2", None),
         ("fresh_coverage", "/force/fresh/coverage", None),
+        ("contact_rmse_n", "/force/in_contact/rmse_n", None),
+        ("contact_nrmse_percent", "/force/in_contact/nrmse_percent", None),
+        ("contact_r2", "/force/in_contact/r2", None),
+        ("contact_coverage", "/force/in_contact/coverage", None),
         ("dead_rmse_n", "/force/dead/error/rmse_n", None),
         ("dead_nrmse_percent", "/force/dead/error/nrmse_percent", None),
         ("dead_r2", "/force/dead/error/r2", None),

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { ForceError, RankedLayout } from "../../wire.ts";
-import { bestKnown, knownForces, untoldAxes } from "./known-forces.ts";
+import { bestKnown, knownForces, rangeByDrift, untoldAxes } from "./known-forces.ts";
 
 const trial = (rmse_n: number) => ({ rmse_n, nrmse_percent: 5, r2: 0.9, coverage: 0.95 });
 
@@ -14,6 +14,7 @@ function force(axis: string, rmse: number, useful = true): ForceError {
     splits: [],
     leak: null,
     fresh: trial(rmse),
+    in_contact: trial(1.2 * rmse),
     dead: null,
     askew: { std_deg: 3, error: trial(2 * rmse) },
     worst_contact: null,
@@ -45,6 +46,13 @@ test("forces are listed by what more films buy, and those that none tells are na
 test("the best layout has the least error on runs with other films", () => {
   assert.equal(bestKnown(knownForces(layouts), "fz")?.layout.rank, 1);
   assert.equal(bestKnown(knownForces(layouts), "fx"), undefined);
+});
+
+test("a drift's range holds the study's own", () => {
+  const drift = [0.5, 3].map((rmse_n) => ({ drift: "none", error: trial(rmse_n), in_contact: trial(rmse_n) }));
+  assert.deepEqual(rangeByDrift({ ...force("fz", 1), drift }), [0.5, 3]);
+  assert.deepEqual(rangeByDrift({ ...force("fz", 4), drift }), [0.5, 4]);
+  assert.equal(rangeByDrift(force("fz", 1)), null);
 });
 
 test("a study without a rig has no forces", () => {

@@ -34,6 +34,12 @@ export function floorOf(known: KnownForce[], price: ForcePrice): number | null |
   return known.find(({ layout, force }) => layout.rank === price.layout_rank && force.axis === price.axis)?.force.floor_n;
 }
 
+/** Least and greatest error by the drift of the readings, its own among them, N; null where no other was tried. */
+export function rangeByDrift({ fresh, drift }: ForceError): [number, number] | null {
+  const errors = [fresh.rmse_n, ...(drift ?? []).map(({ error }) => error.rmse_n)].filter((error) => error != null);
+  return errors.length < 2 ? null : [Math.min(...errors), Math.max(...errors)];
+}
+
 function films({ layout }: KnownForce): number {
   return layout.film_count;
 }

@@ -3,10 +3,12 @@
 use std::fmt::Write;
 
 use document::visible::visible;
-use results::columns::{self, table_rows};
+use results::columns::{self, Column, table_rows};
 use results::{
-    FilmAnglesReport, ForceError, ForceFindings, RankedLayout, StudyResult, TableReport,
+    DriftError, ElsewhereError, FilmAnglesReport, ForceError, ForceFindings, RankedLayout,
+    StudyResult, TableReport,
 };
+use serde_json::Value;
 
 use crate::cli::terminal::figures::Figures;
 use crate::cli::terminal::paint::HEADER;
@@ -64,6 +66,7 @@ pub fn forces(result: &StudyResult) -> String {
     }
     text.push_str(&untold(&told));
     text.push_str(&prices(findings, &told));
+    text.push_str(&drifts(&told));
     text.push_str(&elsewhere(&told));
     text.push_str(&below(findings));
     text
@@ -104,12 +107,14 @@ fn prices(findings: &ForceFindings, told: &[(&RankedLayout, &ForceError)]) -> St
                 let is_its = |(layout, force): &&(&RankedLayout, &ForceError)| {
                     layout.rank == price.layout_rank && force.axis == axis
                 };
-                let floor = told
-                    .iter()
-                    .find(is_its)
-                    .and_then(|(_, force)| force.floor_n);
+                let force = told.iter().find(is_its).map(|(_, force)| force);
+                let floor = force.and_then(|force| force.floor_n);
+                let range = force.and_then(|force| force.range_by_drift_n());
+                let by_drift = range.map_or(String::new(), |(low, high)| {
+                    format!("{low:.2} to {high:.2} by drift; ")
+                });
                 format!(
-                    "{} films to {:.2} N (bound {})",
+                    "{} films to {:.2} N ({by_drift}bound {})",
                     price.films,
                     price.rmse_n,
                     number(floor, 2)
@@ -124,35 +129,54 @@ fn prices(findings: &ForceFindings, told: &[(&RankedLayout, &ForceError)]) -> St
 
 /// Says how the same estimators fare on other tires.
 fn elsewhere(told: &[(&RankedLayout, &ForceError)]) -> String {
-    let useful = || told.iter().filter(|(_, force)| force.useful);
-    let mut tires: Vec<&str> = Vec::new();
-    for other in useful().flat_map(|(_, force)| &force.elsewhere) {
-        if !tires.contains(&other.tire.as_str()) {
-            tires.push(&other.tire);
-        }
-    }
     let table = columns::elsewhere();
-    let columns = table.view("other tires");
-    let of_tire = |tire: &&str| {
-        let words = useful().filter_map(|(layout, force)| {
-            let mut others = force.elsewhere.iter();
-            let row = table_rows::force_on(others.find(|other| other.tire == **tire)?, force);
+    let rows = |force: &ForceError| {
+        let on = |other: &ElsewhereError| (other.tire.clone(), table_rows::force_on(other, force));
+        force.elsewhere.iter().map(on).collect()
+    };
+    changed(told, "on another tire", &table.view("other tires"), rows)
+}
+
+/// Says how far layouts are off where their readings drift otherwise.
+fn drifts(told: &[(&RankedLayout, &ForceError)]) -> String {
+    let table = columns::drifts();
+    let rows = |force: &ForceError| {
+        let with = |other: &DriftError| (other.drift.clone(), table_rows::force_with(other, force));
+        force.drift.iter().map(with).collect()
+    };
+    changed(
+        told,
+        "learnt with another drift",
+        &table.view("drift"),
+        rows,
+    )
+}
+
+/// Says, for each thing that is changed, what becomes of each layout's forces; `rows` has them with the change in words.
+fn changed(
+    told: &[(&RankedLayout, &ForceError)],
+    title: &str,
+    columns: &[&Column],
+    rows: impl Fn(&ForceError) -> Vec<(String, Value)>,
+) -> String {
+    let mut changes: Vec<(String, Vec<String>)> = Vec::new();
+    for (layout, force) in told.iter().filter(|(_, force)| force.useful) {
+        for (change, row) in rows(force) {
             let figures = columns.iter().map(|column| column.in_words(&row));
             let figures: Vec<String> = figures.collect();
-            Some(format!(
-                "layout {}: {} {}",
-                layout.rank,
-                force.axis,
-                figures.join(", ")
-            ))
-        });
-        let words: Vec<String> = words.collect();
-        wrapped(
-            &format!("on another tire ({}): {}.", visible(tire), words.join("; ")),
-            2,
-        )
-    };
-    tires.iter().map(of_tire).collect()
+            let (rank, axis) = (layout.rank, &force.axis);
+            let words = format!("layout {rank}: {axis} {}", figures.join(", "));
+            match changes.iter_mut().find(|(known, _)| *known == change) {
+                Some((_, known)) => known.push(words),
+                None => changes.push((change, vec![words])),
+            }
+        }
+    }
+    let lines = changes.iter().map(|(change, words)| {
+        let line = format!("{title} ({}): {}.", visible(change), words.join("; "));
+        wrapped(&line, 2)
+    });
+    lines.collect()
 }
 
 /// Says how far the table is off that the rig reads, and what is missing.

@@ -1,8 +1,9 @@
 import { heading, view } from "../../../lib/study/figures/columns.ts";
 import { fixed } from "../../../lib/format.ts";
-import { AXIS_WORDS, bestKnown, floorOf, type KnownForce, knownForces, untoldAxes } from "../../../lib/layouts/known-forces.ts";
+import { AXIS_WORDS, bestKnown, floorOf, type KnownForce, knownForces, rangeByDrift, untoldAxes } from "../../../lib/layouts/known-forces.ts";
 import { layoutWords } from "../../../lib/layouts/layout-words.ts";
 import {
+  DRIFTS_COLUMNS,
   ELSEWHERE_COLUMNS,
   type FilmAnglesReport,
   FORCES_COLUMNS,
@@ -29,6 +30,7 @@ export function KnownForcesPanel({ layouts, findings }: { layouts: RankedLayout[
       )}
       <Prices known={known} prices={findings.price ?? []} />
       {known.length > 0 && <KnownTable known={known} />}
+      <Drifts known={known} />
       <OtherTires known={known} />
       {(findings.reasons ?? []).map((reason) => (
         <p key={reason} class="flag">
@@ -54,13 +56,15 @@ export function KnownForcesPanel({ layouts, findings }: { layouts: RankedLayout[
 function Best({ best }: { best: KnownForce | undefined }) {
   if (best === undefined) return null;
   const { layout, force } = best;
+  const range = rangeByDrift(force);
   return (
     <p>
       <strong>
         {name(force.axis)} is known to {fixed(force.fresh.rmse_n, 2)} N by {layoutWords(layout)}
       </strong>
-      , on runs with other films. With one film dead, undetected, it is off by {fixed(force.dead?.error.rmse_n, 2)} N, with films{" "}
-      {fixed(force.askew.std_deg, 0)}° off by {fixed(force.askew.error.rmse_n, 2)} N.
+      , on runs with other films{range !== null && `; ${fixed(range[0], 2)} to ${fixed(range[1], 2)} N by the drift of the readings`}. With one film dead,
+      undetected, it is off by {fixed(force.dead?.error.rmse_n, 2)} N, with films {fixed(force.askew.std_deg, 0)}° off by {fixed(force.askew.error.rmse_n, 2)}{" "}
+      N.
     </p>
   );
 }
@@ -85,27 +89,49 @@ function Prices({ known, prices }: { known: KnownForce[]; prices: ForcePrice[] }
 }
 
 const ELSEWHERE = view(ELSEWHERE_COLUMNS, "other tires");
+const DRIFTS = view(DRIFTS_COLUMNS, "drift");
 
 /** The same estimators on other tires. */
 function OtherTires({ known }: { known: KnownForce[] }) {
-  const rows = known.flatMap(({ layout, force }) => (force.elsewhere ?? []).map((other) => ({ layout, force, other })));
+  const rows = known.flatMap((one) =>
+    (one.force.elsewhere ?? []).map((other) => ({
+      ...one,
+      change: other.learnt ? `${other.tire}, learnt from` : other.tire,
+      row: { force: one.force, other },
+    })),
+  );
+  return <Changed title="On other tires" changed="Tire" columns={ELSEWHERE} rows={rows} />;
+}
+
+/** The same films where their readings drift otherwise: how far they wander decides how many are needed. */
+function Drifts({ known }: { known: KnownForce[] }) {
+  const rows = known.flatMap((one) => (one.force.drift ?? []).map((drift) => ({ ...one, change: drift.drift, row: { force: one.force, drift } })));
+  return <Changed title="With another drift" changed="Drift, of full scale" columns={DRIFTS} rows={rows} />;
+}
+
+interface ChangedProps {
+  title: string;
+  changed: string;
+  columns: typeof ELSEWHERE;
+  rows: (KnownForce & { change: string; row: object })[];
+}
+
+/** Forces where one thing is other than the study has it. */
+function Changed({ title, changed, columns, rows }: ChangedProps) {
   if (rows.length === 0) return null;
   return (
     <details>
-      <summary>On other tires</summary>
-      <ScrollTable name="Forces on other tires" columns={[words("Tire"), words("Layout"), "Force", ...ELSEWHERE.map(heading)]}>
+      <summary>{title}</summary>
+      <ScrollTable name={`Forces: ${title.toLowerCase()}`} columns={[words(changed), words("Layout"), "Force", ...columns.map(heading)]}>
         <tbody>
-          {rows.map(({ layout, force, other }) => (
-            <tr key={`${other.tire} ${layout.rank} ${force.axis}`}>
-              <td class="words">
-                {other.tire}
-                {other.learnt && ", learnt from"}
-              </td>
+          {rows.map(({ layout, force, change, row }) => (
+            <tr key={`${change} ${layout.rank} ${force.axis}`}>
+              <td class="words">{change}</td>
               <th scope="row" class="words layout-name">
                 {layoutWords(layout)}
               </th>
               <td>{name(force.axis)}</td>
-              <FigureCells columns={ELSEWHERE} row={{ force, other }} />
+              <FigureCells columns={columns} row={row} />
             </tr>
           ))}
         </tbody>

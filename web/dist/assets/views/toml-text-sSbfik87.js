@@ -1,1 +1,0 @@
-export{Bt as readToml}from"../views-DEI916G8.js";
