@@ -60,6 +60,8 @@ pub(crate) struct GroundPlace {
     pub(crate) depths: Vec<f64>,
     /// Ways by which it is dragged along x and y, mm.
     pub(crate) shift: [f64; 2],
+    /// Angle by which the wheel leans to it, rad.
+    lean: f64,
 }
 
 impl GroundPlace {
@@ -68,6 +70,7 @@ impl GroundPlace {
         ground.map_or_else(Self::default, |ground| Self {
             depths: ground.depths.clone(),
             shift: ground.shift,
+            lean: ground.axes.angle,
         })
     }
 
@@ -78,12 +81,13 @@ impl GroundPlace {
             depths: self.depths.iter().rev().copied().collect(),
             // Not minus zero, which would be less than none.
             shift: [0.0 - x, y],
+            lean: self.lean,
         }
     }
 
     /// Orders all places.
     fn cmp(&self, other: &Self) -> Ordering {
-        let values = |place: &Self| [place.depths.as_slice(), &place.shift].concat();
+        let values = |place: &Self| [place.depths.as_slice(), &place.shift, &[place.lean]].concat();
         let (own, others) = (values(self), values(other));
         let pairs = own.iter().zip(&others);
         pairs.fold(Ordering::Equal, |before, (a, b)| {

@@ -32,8 +32,19 @@ impl Parts {
 impl TireModel {
     /// A flat state (mm, then MPa) fitted to this mesh: its own, or a quarter's, mirrored to the half. `None` for any other length.
     pub fn fit(&self, flat: &[f64]) -> Option<State> {
-        State::from_flat(&self.problem, flat)
-            .or_else(|| State::from_flat(&self.problem, &self.of_quarter(flat)?))
+        let of_quarter = || self.held_state(&self.of_quarter(flat)?);
+        self.held_state(flat).or_else(of_quarter)
+    }
+
+    /// A flat state that is held as this model is: other parts of the tire may have as many unknowns.
+    fn held_state(&self, flat: &[f64]) -> Option<State> {
+        let state = State::from_flat(&self.problem, flat)?;
+        let mut supports = self.problem.supports.iter().zip(&state.displacement);
+        let is_held = supports.all(|(support, u)| {
+            let mut axes = support.iter().zip(u);
+            axes.all(|(held, u)| held.is_none_or(|held| held == *u))
+        });
+        is_held.then_some(state)
     }
 
     /// A flat state fitted as by [`Self::fit`], or mirrored from one side of the middle plane to both. `None` where a film lies on them.
@@ -45,7 +56,7 @@ impl TireModel {
         let both = |flat: &[f64]| self.grid.mirror_across(flat);
         let around = || both(&self.one_side().mirror_quarter(flat)?);
         let whole = both(flat).or_else(around)?;
-        State::from_flat(&self.problem, &whole)
+        self.held_state(&whole)
     }
 
     /// The lines of this grid on one side of the middle plane.

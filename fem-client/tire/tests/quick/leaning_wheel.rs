@@ -171,6 +171,60 @@ fn a_start_elsewhere_leads_to_the_same_place() {
     assert_close(&across(&warm), &across(&solve(&scene)), STRAIN);
 }
 
+/// One solver, one start, the same depths: no camber answers for another one.
+#[test]
+fn every_camber_has_an_answer_of_its_own() {
+    let solver = EmbeddedSolver::default();
+    let solve_with = |scene: &Scene, start: Option<&StartState>| {
+        let request = SolveRequest {
+            scene,
+            readout: &readout(),
+            start,
+            watch: &RUNNING,
+        };
+        solver.solve(&request).expect("an equilibrium")
+    };
+    let start = solve_with(&leaning(0.0), None).state;
+    for camber in [3.0, 9.0, -9.0, 3.0] {
+        let scene = leaning(camber);
+        let warm = solve_with(&scene, Some(&start)).response;
+        assert_close(&across(&warm), &across(&solve(&scene)), STRAIN);
+    }
+}
+
+/// A start of one part of the tire is never taken for another part's, whatever the number of its unknowns.
+#[test]
+fn states_of_another_part_are_told_by_what_holds_them() {
+    let scene = leaning(10.0);
+    // As many nodes along the half circle as across both sides: linear bricks, 2 P + 1 and 2 P.
+    let plan = tire::mesh::tire_grid::MeshPlan {
+        coarse: 21 - mesh_plan(&scene, Level::Draft).fine,
+        meridional: 10,
+        ..mesh_plan(&scene, Level::Draft)
+    };
+    let [half, front] =
+        [Extent::Half, Extent::Front].map(|extent| TireModel::new(&scene, &plan, extent));
+    let mut newton = Newton::new(&half.problem).expect("a valid mesh");
+    let mut state = State::reference(&half.problem);
+    let inflated = Loads {
+        pressure: scene.pressure.internal_mpa,
+        ..Loads::default()
+    };
+    let ignored = Stability::Ignored;
+    follow(
+        &mut newton,
+        &mut state,
+        &Loads::default(),
+        &inflated,
+        ignored,
+        &RUNNING,
+    )
+    .expect("an equilibrium");
+    let flat = state.to_flat();
+    assert_eq!(flat.len(), State::reference(&front.problem).to_flat().len());
+    assert!(half.fit(&flat).is_some() && front.fit(&flat).is_none());
+}
+
 /// The bead holds what the ground does: force and moment come from all of the body's stresses there, from contact pressures and friction here. The pressure
 /// itself has neither, as the beads are circles.
 #[test]
