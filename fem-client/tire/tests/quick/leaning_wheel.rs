@@ -171,7 +171,7 @@ fn a_start_elsewhere_leads_to_the_same_place() {
     assert_close(&across(&warm), &across(&solve(&scene)), STRAIN);
 }
 
-/// One solver, one start, the same depths: no camber answers for another one.
+/// Solves by one solver from one start at the same depths: no camber answers for another one.
 #[test]
 fn every_camber_has_an_answer_of_its_own() {
     let solver = EmbeddedSolver::default();
