@@ -1,7 +1,9 @@
 //! Drifts that a layout is learnt with anew. How far its films' readings wander decides how many of them are needed, and few know it of theirs.
 
 use documents::rig::rig_settings::{Noise, RigSettings};
-use results::film::force_error::{DriftError, ForceError};
+use results::film::force_error::DriftError;
+
+use crate::force_error::fresh_trials::Fresh;
 
 /// Deviations that a bounded drift comes to, as shares of full scale; the largest is the level of the published study's signals.
 const SHARES: [f64; 4] = [0.0, 0.005, 0.01, 0.02];
@@ -56,11 +58,11 @@ impl Drift {
     }
 
     /// Returns what is said of a force that was learnt with it.
-    pub(crate) fn error(&self, learnt: &ForceError) -> DriftError {
+    pub(crate) fn error(&self, found: &Fresh) -> DriftError {
         DriftError {
             drift: self.described.clone(),
-            error: learnt.fresh,
-            in_contact: learnt.in_contact,
+            error: found.fresh,
+            in_contact: found.in_contact,
         }
     }
 }

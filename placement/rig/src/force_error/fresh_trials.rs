@@ -28,13 +28,21 @@ const DEAD_ROWS: usize = 160;
 /// Runs that nobody learns from.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct FreshTrials {
-    fresh: Vec<ThinnedRun>,
+    /// Runs as they come.
+    pub fresh: FreshRuns,
     askew: Vec<ThinnedRun>,
     elsewhere: Vec<Elsewhere>,
+}
+
+/// Runs of a tire as they come.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct FreshRuns {
+    runs: Vec<ThinnedRun>,
     contact_deg: [f64; 2],
 }
 
 /// Errors on runs as they come.
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Fresh {
     /// Error of all rows.
     pub fresh: TrialError,
@@ -63,57 +71,84 @@ struct Elsewhere {
     runs: Vec<ThinnedRun>,
 }
 
+impl FreshRuns {
+    /// Records them, counted behind those of the settings; None where the caller stops meanwhile.
+    pub fn recorded<R: TurnableFilms>(
+        response: &R,
+        settings: &RigSettings,
+        stop: &AtomicBool,
+    ) -> Option<Self> {
+        Some(Self {
+            runs: all_recorded(response, settings, stop)?,
+            contact_deg: settings.gait.contact_deg,
+        })
+    }
+
+    /// Tries it on them.
+    pub fn errors(&self, learnt: &LearntForce, axis: usize) -> Fresh {
+        let tried = tried(learnt, &self.runs, axis);
+        Fresh {
+            fresh: error_of(&tried),
+            in_contact: error_of(&in_contact(&self.runs, &tried)),
+            worst_contact: worst_contact(&self.runs, &tried, self.contact_deg),
+        }
+    }
+}
+
+/// Numbers of the runs that nobody learns from.
+fn numbers(settings: &RigSettings) -> impl Iterator<Item = u64> {
+    (settings.runs..settings.runs + RUNS).map(|run| run as u64)
+}
+
+fn all_recorded<R: TurnableFilms>(
+    response: &R,
+    settings: &RigSettings,
+    stop: &AtomicBool,
+) -> Option<Vec<ThinnedRun>> {
+    let runs = numbers(settings).map(|run| recorded(response, settings, run, stop));
+    runs.collect()
+}
+
+fn recorded<R: TurnableFilms>(
+    response: &R,
+    settings: &RigSettings,
+    run: u64,
+    stop: &AtomicBool,
+) -> Option<ThinnedRun> {
+    let one_of = thinning(settings, settings.runs.min(AS_OF));
+    let stopped = stop.load(Ordering::Relaxed);
+    (!stopped).then(|| ThinnedRun::recorded(response, settings, run, one_of))
+}
+
 impl FreshTrials {
     /// Records them, counted behind those of the settings; None where the caller stops meanwhile.
     pub fn recorded<R: TurnableFilms>(
         response: &R,
-        others: &[&OtherTire<R>],
+        others: &[OtherTire<R>],
         settings: &RigSettings,
         stop: &AtomicBool,
     ) -> Option<Self> {
-        let one_of = thinning(settings, settings.runs.min(AS_OF));
-        let recorded = |response: &R, run: u64| {
-            let stopped = stop.load(Ordering::Relaxed);
-            (!stopped).then(|| ThinnedRun::recorded(response, settings, run, one_of))
-        };
         let askew = |run: u64| {
             let mut draws = SeededDraws::new(settings.seed, run, Stream::Place);
             let by_deg: Vec<f64> = (0..response.films())
                 .map(|_| ASKEW_DEG * draws.normal())
                 .collect();
-            recorded(&response.turned(&by_deg), run)
-        };
-        let numbers = || (settings.runs..settings.runs + RUNS).map(|run| run as u64);
-        let on = |tire: &R| {
-            numbers()
-                .map(|run| recorded(tire, run))
-                .collect::<Option<_>>()
+            recorded(&response.turned(&by_deg), settings, run, stop)
         };
         Some(Self {
-            fresh: on(response)?,
-            askew: numbers().map(askew).collect::<Option<_>>()?,
+            fresh: FreshRuns::recorded(response, settings, stop)?,
+            askew: numbers(settings).map(askew).collect::<Option<_>>()?,
             elsewhere: others
                 .iter()
                 .map(|other| {
                     Some(Elsewhere {
                         described: other.described.clone(),
                         learnt: other.learnt,
-                        runs: on(&other.response)?,
+                        runs: all_recorded(&other.response, settings, stop)?,
                     })
                 })
                 .collect::<Option<_>>()?,
-            contact_deg: settings.gait.contact_deg,
         })
-    }
-
-    /// Tries it on the runs as they come.
-    pub fn fresh(&self, learnt: &LearntForce, axis: usize) -> Fresh {
-        let tried = tried(learnt, &self.fresh, axis);
-        Fresh {
-            fresh: error_of(&tried),
-            in_contact: error_of(&in_contact(&self.fresh, &tried)),
-            worst_contact: worst_contact(&self.fresh, &tried, self.contact_deg),
-        }
     }
 
     /// Tries it on the runs with films askew.
@@ -136,9 +171,10 @@ impl FreshTrials {
 
     /// Tries it on the runs with the film dead whose loss costs most; None without films.
     pub fn dead(&self, learnt: &LearntForce, axis: usize) -> Option<DeadFilmError> {
-        let films = self.fresh.first()?.features.ncols() / GROUPS;
+        let fresh = &self.fresh.runs;
+        let films = fresh.first()?.features.ncols() / GROUPS;
         let squares = |film: usize| -> f64 {
-            let runs = self.fresh.iter().map(|run| {
+            let runs = fresh.iter().map(|run| {
                 let few = (RUNS * run.time_s.len()).div_ceil(DEAD_ROWS).max(1);
                 let dead = run.with_dead_film(film);
                 let rows = (0..dead.time_s.len()).step_by(few);
@@ -152,11 +188,7 @@ impl FreshTrials {
         let film = (0..films)
             .rev()
             .max_by(|a, b| costs[*a].total_cmp(&costs[*b]))?;
-        let dead: Vec<ThinnedRun> = self
-            .fresh
-            .iter()
-            .map(|run| run.with_dead_film(film))
-            .collect();
+        let dead: Vec<ThinnedRun> = fresh.iter().map(|run| run.with_dead_film(film)).collect();
         Some(DeadFilmError {
             film,
             error: error_of(&tried(learnt, &dead, axis)),

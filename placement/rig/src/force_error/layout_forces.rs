@@ -6,7 +6,7 @@ use estimation::recipe::{FeatureSet, Kind, Recipe};
 
 use crate::contact_response::TurnableFilms;
 use crate::force_error::drifts::drifts;
-use crate::force_error::fresh_trials::{Fresh, FreshTrials, OtherTire};
+use crate::force_error::fresh_trials::{Fresh, FreshRuns, FreshTrials, OtherTire};
 use crate::force_error::instant_floor::floors_n;
 use crate::force_error::learnt_force::{AxisRows, LearntForce, Unlearnt, labelled, learnt, recipe};
 use crate::force_error::thinned_run::{ThinnedRun, thinning};
@@ -24,38 +24,40 @@ pub fn force_errors<R: TurnableFilms>(
     settings: &RigSettings,
     stop: &AtomicBool,
 ) -> Option<Vec<ForceError>> {
-    let all: Vec<&OtherTire<R>> = others.iter().collect();
-    let rehearsal = Rehearsal::recorded(response, &all, settings, stop)?;
+    let rehearsal = Rehearsal::recorded(response, others, settings, stop)?;
     let errors = (0..AXES.len()).map(|axis| rehearsal.error(axis, stop));
     let mut errors = errors.collect::<Option<Vec<ForceError>>>()?;
-    let learnt: Vec<&OtherTire<R>> = others.iter().filter(|other| other.learnt).collect();
     for drift in drifts(&settings.noise) {
         let drifting = drift.of(settings);
-        let rehearsal = Rehearsal::recorded(response, &learnt, &drifting, stop)?;
+        let learning = Learning::recorded(response, others, &drifting, stop)?;
+        let runs = FreshRuns::recorded(response, &drifting, stop)?;
         let useful = errors.iter_mut().enumerate();
         for (axis, error) in useful.filter(|(_, error)| error.useful) {
-            error.drift.push(drift.error(&rehearsal.error(axis, stop)?));
+            let fresh = match learning.learnt(axis, stop) {
+                Ok(learnt) => runs.errors(&learnt, axis),
+                Err(Unlearnt::Reason(_)) => Fresh::default(),
+                Err(Unlearnt::Stopped) => return None,
+            };
+            error.drift.push(drift.error(&fresh));
         }
     }
     Some(errors)
 }
 
-/// Runs that are learnt from, and what the models are tried on.
-struct Rehearsal {
+/// Runs that are learnt from.
+struct Learning {
     runs: Vec<ThinnedRun>,
     /// The begin of the first of them, reading by reading.
     begin: ThinnedRun,
-    trials: FreshTrials,
-    floors_n: [f64; 3],
     recipe: Recipe,
     /// Time between rows of the films' clock, s.
     interval_s: f64,
 }
 
-impl Rehearsal {
+impl Learning {
     fn recorded<R: TurnableFilms>(
         response: &R,
-        others: &[&OtherTire<R>],
+        others: &[OtherTire<R>],
         settings: &RigSettings,
         stop: &AtomicBool,
     ) -> Option<Self> {
@@ -71,19 +73,43 @@ impl Rehearsal {
         Some(Self {
             runs: (0..settings.runs).map(run).collect::<Option<_>>()?,
             begin: ThinnedRun::begin_of(response, settings, 0),
-            trials: FreshTrials::recorded(response, others, settings, stop)?,
-            floors_n: floors_n(response, settings),
             recipe: recipe(response, settings),
             interval_s: settings.film_rate_hz.recip(),
         })
     }
 
-    fn error(&self, axis: usize, stop: &AtomicBool) -> Option<ForceError> {
+    fn learnt(&self, axis: usize, stop: &AtomicBool) -> Result<LearntForce, Unlearnt> {
         let rows = AxisRows {
             few: labelled(&self.runs, axis),
             neighbours: labelled(std::slice::from_ref(&self.begin), axis),
         };
-        match learnt(&rows, &self.recipe, self.interval_s, stop) {
+        learnt(&rows, &self.recipe, self.interval_s, stop)
+    }
+}
+
+/// Runs that are learnt from, and what the models are tried on.
+struct Rehearsal {
+    learning: Learning,
+    trials: FreshTrials,
+    floors_n: [f64; 3],
+}
+
+impl Rehearsal {
+    fn recorded<R: TurnableFilms>(
+        response: &R,
+        others: &[OtherTire<R>],
+        settings: &RigSettings,
+        stop: &AtomicBool,
+    ) -> Option<Self> {
+        Some(Self {
+            learning: Learning::recorded(response, others, settings, stop)?,
+            trials: FreshTrials::recorded(response, others, settings, stop)?,
+            floors_n: floors_n(response, settings),
+        })
+    }
+
+    fn error(&self, axis: usize, stop: &AtomicBool) -> Option<ForceError> {
+        match self.learning.learnt(axis, stop) {
             Ok(learnt) => Some(ForceError {
                 floor_n: Some(self.floors_n[axis]).filter(|floor| floor.is_finite()),
                 ..tried(axis, learnt, &self.trials)
@@ -99,7 +125,7 @@ fn tried(axis: usize, learnt: LearntForce, trials: &FreshTrials) -> ForceError {
         fresh,
         in_contact,
         worst_contact,
-    } = trials.fresh(&learnt, axis);
+    } = trials.fresh.errors(&learnt, axis);
     let useful = learnt.chosen.kind != Kind::Mean;
     let dead = || trials.dead(&learnt, axis);
     ForceError {
@@ -170,8 +196,8 @@ pub(crate) mod tests {
     ) -> ForceError {
         let tire = BumpResponse::new(films);
         let mut rehearsal = Rehearsal::recorded(&tire, &[], settings, &GO_ON).expect("not stopped");
-        rehearsal.recipe.models.kinds = vec![kind];
-        rehearsal.recipe.features.sets = vec![features];
+        rehearsal.learning.recipe.models.kinds = vec![kind];
+        rehearsal.learning.recipe.features.sets = vec![features];
         rehearsal.error(FZ, &GO_ON).expect("not stopped")
     }
 
@@ -250,7 +276,7 @@ pub(crate) mod tests {
         // Every second run is on the other tire where that is learnt from, too.
         let recorded = |learnt: bool| {
             let others = [other("turned", learnt, turned.clone())];
-            let found = Rehearsal::recorded(&tire, &[&others[0]], &shortest(), &GO_ON);
+            let found = Learning::recorded(&tire, &others, &shortest(), &GO_ON);
             found.expect("not stopped").runs
         };
         let (own, both) = (recorded(false), recorded(true));
