@@ -96,7 +96,12 @@ impl Ground {
 
     /// Whether both sides of the wheel's middle plane are alike.
     pub fn is_alike_across(&self) -> bool {
-        self.shift_mm[1] == 0.0 && self.camber_deg == 0.0
+        self.shift_mm[1] == 0.0 && !self.leans()
+    }
+
+    /// Whether the wheel leans to it.
+    pub fn leans(&self) -> bool {
+        self.camber_deg != 0.0
     }
 
     /// Whether it is dragged.

@@ -13,10 +13,10 @@ use crate::mesh_error;
 use crate::model::{
     TireModel, depth_of_load, extent, ground, ground_axes, inflated_key, mesh_plan, mesh_plan_for,
 };
-use crate::neighbourhood::{GroundPlace, Neighbourhood, Neighbourhoods, Pressed};
+use crate::neighbourhood::{GroundPlace, Neighbourhood, Neighbourhoods, Pressed, of_start};
 use crate::omission;
 use crate::readout::surface_reader::{Diagnostics, Reader};
-use crate::session::{Session, ToldSolve, VariedScene, standing, target};
+use crate::session::{Session, ToldSolve, VariedScene, standing};
 use fem_client::scene::Scene;
 use fem_client::solver::Coarser;
 use fem_client::solver::Omission;
@@ -260,7 +260,8 @@ fn solve_afresh(
     let mut session = session(request, &model, newton);
     let inflated = session.inflate(near_inflated)?;
     let target = session.target(&inflated);
-    let near_loads = start.map(|start| start_loads(request.scene, start, &model, &inflated));
+    let near_loads =
+        start.map(|start| start_loads(request.scene, start, &model, (&inflated, &target)));
     let near = near_equilibrium.as_ref().zip(near_loads.as_ref());
     let near = near.filter(|_| request.scene.contact.friction == 0.0);
     let pressed = session.press(&inflated, &target, near)?;
@@ -308,16 +309,17 @@ fn session<'m>(
 }
 
 /// The loads at which a start state is in equilibrium, but for the inflated tire's size.
-fn start_loads(scene: &Scene, start: &StartState, model: &TireModel, inflated: &State) -> Loads {
-    let mut ground = scene.ground.clone();
-    ground.camber_deg = start.camber_deg;
-    let target = target(scene, model, inflated);
+fn start_loads(
+    scene: &Scene,
+    start: &StartState,
+    model: &TireModel,
+    (inflated, target): (&State, &Loads),
+) -> Loads {
     Loads {
         pressure: start.pressure_mpa,
-        ground: Some(model.ground_below(&ground, inflated)),
-        ..target
+        ground: Some(model.ground_below(&of_start(scene, start), inflated)),
+        ..target.clone()
     }
-    .with_depths(&start.depths_mm)
 }
 
 /// States that a solve found.

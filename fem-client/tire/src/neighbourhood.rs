@@ -100,6 +100,7 @@ impl Neighbourhood {
     /// Makes the neighbourhood; `None` when the state belongs to another mesh or inflation, or its tangent can't be had.
     fn new(scene: &Scene, plan: &MeshPlan, extent: Extent, start: &StartState) -> Option<Self> {
         let model = TireModel::new(scene, plan, extent);
+        // Friction presses from the inflated tire: what a start of another part would save there isn't measured.
         let fit = |flat: &[f64]| match scene.ground.is_dragged() {
             true => model.fit(flat),
             false => model.fit_sides(flat),
@@ -202,7 +203,7 @@ impl Neighbourhoods {
 }
 
 /// The ground of a start before it is dragged: wherever a scene's is dragged to, it is pressed first.
-fn of_start(scene: &Scene, start: &StartState) -> Ground {
+pub(crate) fn of_start(scene: &Scene, start: &StartState) -> Ground {
     Ground {
         camber_deg: start.camber_deg,
         ..scene.ground.undragged()
@@ -213,7 +214,7 @@ fn of_start(scene: &Scene, start: &StartState) -> Ground {
 /// Hash of all that a neighbourhood is made of.
 fn key(scene: &Scene, plan: &MeshPlan, extent: Extent, start: &StartState) -> String {
     // A model whose ground may lean is prepared for it, wherever it starts.
-    let leans = scene.ground.camber_deg != 0.0;
+    let leans = scene.ground.leans();
     let scene = Scene {
         ground: of_start(scene, start),
         ..scene.clone()

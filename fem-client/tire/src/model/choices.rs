@@ -42,7 +42,7 @@ pub(super) fn modelled(scene: &Scene, grid: &TireGrid) -> Vec<Choice> {
             "rigid ground, penalty on the vertical gap".into(),
         ),
     ];
-    if scene.ground.camber_deg != 0.0 {
+    if scene.ground.leans() {
         let why = format!(
             "the wheel leans by {} degrees: depths and the gap are along the ground's normal",
             scene.ground.camber_deg

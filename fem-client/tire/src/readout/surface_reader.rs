@@ -58,7 +58,7 @@ impl<'m> Reader<'m> {
         let mesh = &model.problem.mesh;
         let recover =
             |state: &'m State| Recovery::new(&model.chart, mesh, |node| state.position(mesh, node));
-        let inflated_radius = -inflated.position(mesh, model.grid.lowest_node())[2];
+        let inflated_radius = model.crown_radius(inflated);
         Self {
             scene,
             model,

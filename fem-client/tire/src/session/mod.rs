@@ -19,8 +19,8 @@ use fem_client::scene::Scene;
 use fem_client::solver::Stage;
 
 pub(crate) use derivatives::VariedScene;
-use scene_loads::{inflation, load};
-pub(crate) use scene_loads::{standing, target};
+pub(crate) use scene_loads::standing;
+use scene_loads::{inflation, load, target};
 pub(crate) use told_solve::ToldSolve;
 
 /// A scene's model with its Newton method.

@@ -15,7 +15,7 @@ pub(super) fn inflation(scene: &Scene) -> Loads {
 }
 
 /// Loads of a scene, given its inflated state.
-pub(crate) fn target(scene: &Scene, model: &TireModel, inflated: &State) -> Loads {
+pub(super) fn target(scene: &Scene, model: &TireModel, inflated: &State) -> Loads {
     Loads {
         ground: Some(model.ground_below(&scene.ground, inflated)),
         ground_force: load(scene).map(|load| load / model.multiplicity()),

@@ -12,7 +12,7 @@ use fem_client::solver::{
 };
 use tire::embedded::EmbeddedSolver;
 use tire::mesh::tire_grid::Extent;
-use tire::model::{DRAG_STEPS, FRICTION_STEPS, TireModel, extent, ground, mesh_plan};
+use tire::model::{DRAG_STEPS, FRICTION_STEPS, TireModel, extent, mesh_plan};
 
 static RUNNING: AtomicBool = AtomicBool::new(false);
 const FRICTION: f64 = 0.5;
@@ -253,7 +253,7 @@ fn the_bead_holds_what_the_ground_pulls() {
         };
         let state = reach(&mut newton, &Loads::default(), &inflated, 1);
         let on_ground = Loads {
-            ground: Some(ground(&scene.ground, model.crown_radius(&state))),
+            ground: Some(model.ground_below(&scene.ground, &state)),
             ..inflated.clone()
         };
         let undragged = on_ground.with_shift([0.0; 2]);

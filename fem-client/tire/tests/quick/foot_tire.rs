@@ -11,7 +11,7 @@ use fem_client::solver::{
 };
 use tire::embedded::EmbeddedSolver;
 use tire::mesh::tire_grid::Extent;
-use tire::model::{TireModel, ground, mesh_plan};
+use tire::model::{TireModel, mesh_plan};
 
 static RUNNING: AtomicBool = AtomicBool::new(false);
 
@@ -66,7 +66,7 @@ fn newton_is_quadratic_on_the_pressed_tire() {
     )
     .expect("it holds");
     let pressed = Loads {
-        ground: Some(ground(&scene.ground, model.crown_radius(&state))),
+        ground: Some(model.ground_below(&scene.ground, &state)),
         ..inflated
     };
     let solved = newton

@@ -8,7 +8,7 @@ use fem::problem::{Loads, State};
 use fem_client::scene::{Level, Scene};
 use tire::embedded::EmbeddedSolver;
 use tire::mesh::tire_grid::Extent;
-use tire::model::{TireModel, ground, mesh_plan};
+use tire::model::{TireModel, mesh_plan};
 
 static RUNNING: AtomicBool = AtomicBool::new(false);
 /// Newton stops at 1e-8 of the forces, which leaves 1e-8 in a strain: over a radius of 50 mm 5e-7 mm, and 1e-7 of the reaction.
@@ -42,7 +42,7 @@ fn pressed(scene: &Scene, extent: Extent) -> Pressed {
     );
     held.expect("it holds");
     let on_ground = Loads {
-        ground: Some(ground(&scene.ground, model.crown_radius(&state))),
+        ground: Some(model.ground_below(&scene.ground, &state)),
         ..inflated
     };
     let solved = newton.solve(&mut state, &on_ground, &RUNNING);

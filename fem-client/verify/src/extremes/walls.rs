@@ -29,7 +29,7 @@ use fem_client::scene::{Level, Scene};
 use fem_client::solver::direction::Direction;
 use fem_client::solver::{NoEquilibrium, Solved};
 use tire::mesh::tire_grid::{Extent, MeshPlan};
-use tire::model::{TireModel, ground, mesh_plan};
+use tire::model::{TireModel, mesh_plan};
 
 /// Wall over section radius.
 const WALLS: [f64; 7] = [0.5, 1.0 / 3.0, 0.2, 0.1, 0.05, 0.02, 0.01];
@@ -196,7 +196,7 @@ fn balance(name: &str, scene: &Scene, plan: &MeshPlan, solved: &Solved) -> Resul
     let state = model.fit(&solved.state.equilibrium).ok_or_else(unfit)?;
     let loads = Loads {
         pressure: scene.pressure.internal_mpa,
-        ground: Some(ground(&scene.ground, model.crown_radius(&inflated))),
+        ground: Some(model.ground_below(&scene.ground, &inflated)),
         ..Loads::default()
     };
     let mut newton = Newton::for_contact(&model.problem, &state, &loads)?;

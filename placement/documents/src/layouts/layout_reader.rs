@@ -145,7 +145,7 @@ pub(crate) fn layouts(
             "is about ground that isn't dragged: the scene's ground.shift_mm must be left out";
         Fault::add(faults, &fields.at("shear"), detail);
     }
-    if layouts.shear && scene.is_some_and(|scene| scene.ground.camber_deg != 0.0) {
+    if layouts.shear && scene.is_some_and(|scene| scene.ground.leans()) {
         let detail = "is about an upright wheel: the scene's ground.camber_deg must be left out";
         Fault::add(faults, &fields.at("shear"), detail);
     }

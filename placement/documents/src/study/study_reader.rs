@@ -170,7 +170,7 @@ fn read(value: &Value, resolve: Resolve<'_>, faults: &mut Vec<Fault>) -> Option<
             read.filter(|_| faults.len() == before).map(Some)
         },
     );
-    if fields.get("rig").is_some() && scene.as_ref().is_some_and(leans) {
+    if fields.get("rig").is_some() && scene.as_ref().is_some_and(|scene| scene.ground.leans()) {
         let detail =
             "is about an upright wheel: the scene's ground.camber_deg must be left out, or the rig";
         Fault::add(faults, "/rig", detail);
@@ -198,10 +198,6 @@ fn read(value: &Value, resolve: Resolve<'_>, faults: &mut Vec<Fault>) -> Option<
         signals,
         rig,
     })
-}
-
-fn leans(scene: &Scene) -> bool {
-    scene.ground.camber_deg != 0.0
 }
 
 /// Reads what is asked of layouts. The number of films that there are is on the menu, and who asks without layouts means the common ones.

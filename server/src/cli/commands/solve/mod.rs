@@ -108,10 +108,7 @@ impl Solve {
         if let Some(target) = &self.json {
             target.write(&json!(answer))?;
         }
-        let text = report(
-            &solved,
-            scene.ground.is_dragged() || scene.ground.camber_deg != 0.0,
-        );
+        let text = report(&solved, scene.ground.is_dragged() || scene.ground.leans());
         tell(&(slip_lines(answer.unlikely) + &text), self.json.as_ref())
     }
 
