@@ -444,6 +444,47 @@ export interface components {
          * @enum {string}
          */
         ComparisonTable: "locations" | "designs";
+        /** @description Simulated errors of contacts that differ from the usual one in a single quantity. */
+        ContactError: {
+            /** @description The quantity, as `layouts.contacts` names it; `noise`: none differs. */
+            of: string;
+            /** @description Name for people. */
+            words: string;
+            /**
+             * Format: double
+             * @description 95 % of contact angles are estimated better than this, degrees.
+             */
+            p95_angle_error_deg: number;
+            /**
+             * Format: double
+             * @description Error of the vertical force, root mean square, N.
+             */
+            force_error_n: number;
+        };
+        /** @description Response surface of contacts as they come, and how far it is off at contacts that it hasn't seen. */
+        ContactFindings: {
+            /** @description Quantities with what their laws reach from and to, in words. */
+            laws: string[];
+            /** @description Contacts of all quantities at once by which it was judged. */
+            checks: number;
+            /**
+             * Format: double
+             * @description Root mean square error of the signals there within 30 degrees of the contact, over the crown's largest at that depth.
+             */
+            signal_error_rms: number;
+            /**
+             * Format: double
+             * @description Largest error of a signal there, over the crown's largest.
+             */
+            signal_error_largest: number;
+            /**
+             * Format: double
+             * @description Root mean square error of the vertical force there, N.
+             */
+            force_error_n: number;
+            /** @description Quantities whose laws reach beyond what could be solved, in words: what is drawn ends there. */
+            short?: string[];
+        };
         /** @description A number of solves with its range. */
         CountForecast: {
             /** @description Least count. */
@@ -790,6 +831,8 @@ export interface components {
             signals: number[][];
             /** @description Derivative of the signals by the depth, per mm: as many samples. */
             slopes_per_mm: number[][];
+            /** @description Variance of the signals over contacts as they come, beside that of the noise: as many samples; absent where contacts don't differ. */
+            variances?: number[][];
         };
         /**
          * @description Format of a file.
@@ -1564,6 +1607,7 @@ export interface components {
             coarser_level?: string | null;
             /** @description The loads at which layouts are scored. */
             loads: components["schemas"]["LayoutLoad"][];
+            contacts?: components["schemas"]["ContactFindings"] | null;
             /** @description Menu of layouts, where the document names none. */
             menu?: components["schemas"]["MenuFindings"];
             /** @description Layouts that no other beats with as few films, least films first. */
@@ -1674,6 +1718,8 @@ export interface components {
             force_error_n_se?: number | null;
             alike?: components["schemas"]["AlikeContacts"] | null;
             dead?: components["schemas"]["DeadFilm"] | null;
+            /** @description Errors of contacts that differ in nothing (`noise`) and in each quantity of `layouts.contacts` alone; absent where contacts don't differ. */
+            contacts?: components["schemas"]["ContactError"][];
             shear?: components["schemas"]["ShearScore"] | null;
             /**
              * Format: double
@@ -4528,6 +4574,8 @@ export interface components {
              * @default false
              */
             shear: boolean;
+            /** @description Laws of what a contact is beside its angle and depth, which an estimate doesn't know: simulated errors are over contacts as they come. Takes `depths_mm`. */
+            contacts?: components["schemas"]["LayoutContactsDocument"];
             /**
              * @description Mesh level of the layouts' own solves; the study's, the standard at most, when left out. `draft`: Mesh for a first look. `coarse`: Mesh for a look with an error; it shows the error of the standard level. `standard`: Mesh for placement decisions. `reference`: Mesh for judging the others.
              * @enum {string}
@@ -4592,6 +4640,19 @@ export interface components {
              * @default 0
              */
             least_distance_mm: number;
+        };
+        /** @description Laws of contacts; what has none is as in the scene. */
+        LayoutContactsDocument: {
+            /** @description Law of the wheel's inclination, degrees, within -30 to 30. */
+            camber_deg?: components["schemas"]["DistributionDocument"];
+            /** @description Law of the force along the wheel over the vertical one, within four fifths of the friction. */
+            traction?: components["schemas"]["DistributionDocument"];
+            /** @description Law of the force across the wheel over the vertical one, within four fifths of the friction. */
+            side_traction?: components["schemas"]["DistributionDocument"];
+            /** @description Law of each station's depth over the contact's, less one: independent of the others. */
+            uneven?: components["schemas"]["DistributionDocument"];
+            /** @description Law of the internal pressure over the scene's. */
+            pressure_factor?: components["schemas"]["DistributionDocument"];
         };
         /** @description Question that a study's layouts answer: the best with so many films, or the fewest films that keep errors within limits. */
         QuestionDocument: {
@@ -5591,6 +5652,8 @@ export type Comparison = components['schemas']['Comparison'];
 export type ComparisonAnswer = components['schemas']['ComparisonAnswer'];
 export type ComparisonFormat = components['schemas']['ComparisonFormat'];
 export type ComparisonTable = components['schemas']['ComparisonTable'];
+export type ContactError = components['schemas']['ContactError'];
+export type ContactFindings = components['schemas']['ContactFindings'];
 export type CountForecast = components['schemas']['CountForecast'];
 export type CrownStretchFields_f64 = components['schemas']['CrownStretchFields_f64'];
 export type CutPoint = components['schemas']['CutPoint'];
@@ -5800,6 +5863,7 @@ export type LayoutsDocument = components['schemas']['LayoutsDocument'];
 export type FilmPlaceDocument = components['schemas']['FilmPlaceDocument'];
 export type FreeLayoutDocument = components['schemas']['FreeLayoutDocument'];
 export type LayoutSearchDocument = components['schemas']['LayoutSearchDocument'];
+export type LayoutContactsDocument = components['schemas']['LayoutContactsDocument'];
 export type QuestionDocument = components['schemas']['QuestionDocument'];
 export type MethodDocument = components['schemas']['MethodDocument'];
 export type AccuracyDocument = components['schemas']['AccuracyDocument'];

@@ -30,7 +30,7 @@ mod line;
 mod node_grid;
 pub(crate) mod pair_grid;
 mod probes;
-pub(crate) mod sobol;
+pub mod sobol;
 
 pub use check_point::CheckPoint;
 pub use design_error::{DesignError, MAX_CHECK_POINTS};

@@ -36,13 +36,14 @@ const INITIAL: [&[u32]; 20] = [
 
 /// Points in the unit cube.
 #[derive(Debug, Clone)]
-pub(crate) struct Sobol {
+pub struct Sobol {
     /// direction numbers by dimension
     directions: Vec<[u32; BITS as usize]>,
 }
 
 impl Sobol {
-    pub(crate) fn new(dimensions: usize) -> Self {
+    /// Prepares points of so many dimensions.
+    pub fn new(dimensions: usize) -> Self {
         let mut directions = vec![std::array::from_fn(|k| 1 << (BITS - 1 - k as u32))];
         let polynomials = primitive_polynomials(dimensions.saturating_sub(1));
         directions.extend((0..).zip(polynomials).map(|(d, (degree, inner))| {
@@ -55,7 +56,7 @@ impl Sobol {
     }
 
     /// Point `index` of the scramble with this seed, in the open cube.
-    pub(crate) fn point(&self, index: u32, seed: u64) -> Vec<f64> {
+    pub fn point(&self, index: u32, seed: u64) -> Vec<f64> {
         let coordinate = |(d, v): (usize, &[u32; BITS as usize])| {
             let digits = (0..BITS)
                 .filter(|k| index >> k & 1 == 1)

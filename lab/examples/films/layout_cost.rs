@@ -115,5 +115,7 @@ fn fields() -> DepthFields {
         forces_n: depths.iter().map(|depth| 13.1 * depth.powf(1.3)).collect(),
         signals: vec![over(&bell), over(&|u| -u / WIDTH_DEG * bell(u))],
         sheared: Vec::new(),
+        contacts: None,
+        spread: None,
     }
 }

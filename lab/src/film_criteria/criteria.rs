@@ -119,6 +119,8 @@ mod tests {
             forces_n: depths.iter().map(|depth| 13.0 * depth).collect(),
             signals: vec![over(&bell), over(&|u| -u / 15.0 * bell(u))],
             sheared: Vec::new(),
+            contacts: None,
+            spread: None,
         }
     }
 

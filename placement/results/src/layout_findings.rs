@@ -18,6 +18,9 @@ pub struct LayoutFindings {
     pub coarser_level: Option<String>,
     /// The loads at which layouts are scored.
     pub loads: Vec<LayoutLoad>,
+    /// Contacts as they come, where the document has their laws.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub contacts: Option<ContactFindings>,
     /// Menu of layouts, where the document names none.
     #[serde(default)]
     pub menu: MenuFindings,
@@ -35,6 +38,24 @@ pub struct LayoutFindings {
     /// Reasons why something is missing, whole sentences.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub reasons: Vec<String>,
+}
+
+/// Response surface of contacts as they come, and how far it is off at contacts that it hasn't seen.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, utoipa::ToSchema)]
+pub struct ContactFindings {
+    /// Quantities with what their laws reach from and to, in words.
+    pub laws: Vec<String>,
+    /// Contacts of all quantities at once by which it was judged.
+    pub checks: usize,
+    /// Root mean square error of the signals there within 30 degrees of the contact, over the crown's largest at that depth.
+    pub signal_error_rms: f64,
+    /// Largest error of a signal there, over the crown's largest.
+    pub signal_error_largest: f64,
+    /// Root mean square error of the vertical force there, N.
+    pub force_error_n: f64,
+    /// Quantities whose laws reach beyond what could be solved, in words: what is drawn ends there.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub short: Vec<String>,
 }
 
 /// Layouts that were tried, and those of the menu that aren't in the list.

@@ -34,12 +34,12 @@ pub use film::{
 pub use index_map::{IndexMap, MapLayer};
 pub use indexed_output::{CoarserIndices, FormMisses, IndexError, Output};
 pub use layout_findings::{
-    CandidateFilm, FrontLayout, Knee, LayoutFindings, LayoutLoad, LayoutSearch, LoadShear,
-    MenuFindings, StrainRing,
+    CandidateFilm, ContactFindings, FrontLayout, Knee, LayoutFindings, LayoutLoad, LayoutSearch,
+    LoadShear, MenuFindings, StrainRing,
 };
 pub use ranked_layout::{
-    AlikeContacts, DeadFilm, ErrorSources, LayoutError, LayoutScore, LoadScore, RankedLayout,
-    ShearError, ShearScore,
+    AlikeContacts, ContactError, DeadFilm, ErrorSources, LayoutError, LayoutScore, LoadScore,
+    RankedLayout, ShearError, ShearScore,
 };
 pub use ranked_location::RankedLocation;
 use serde::{Deserialize, Serialize};

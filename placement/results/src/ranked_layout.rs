@@ -130,6 +130,9 @@ pub struct LayoutScore {
     /// Score with the one film dead whose loss costs most, where that was asked for.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub dead: Option<DeadFilm>,
+    /// Errors of contacts that differ in nothing (`noise`) and in each quantity of `layouts.contacts` alone; absent where contacts don't differ.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub contacts: Vec<ContactError>,
     /// Score with forces along and across the wheel unknown, too, where that was asked for.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub shear: Option<ShearScore>,
@@ -144,6 +147,19 @@ pub struct LayoutScore {
     /// Reason why numbers are null.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub reason: Option<String>,
+}
+
+/// Simulated errors of contacts that differ from the usual one in a single quantity.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
+pub struct ContactError {
+    /// The quantity, as `layouts.contacts` names it; `noise`: none differs.
+    pub of: String,
+    /// Name for people.
+    pub words: String,
+    /// 95 % of contact angles are estimated better than this, degrees.
+    pub p95_angle_error_deg: f64,
+    /// Error of the vertical force, root mean square, N.
+    pub force_error_n: f64,
 }
 
 /// Claimed errors of a layout's scores, each in the unit of its score.

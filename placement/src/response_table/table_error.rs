@@ -3,7 +3,7 @@
 use fem_client::solver::Response;
 
 use crate::layout::solving::layout_fields::samples;
-use crate::layout::solving::mirror_parts::own_rings;
+use crate::layout::solving::mirror_parts::image;
 use crate::response_table::solved_table::{ResponseTable, Weights};
 use crate::response_table::table_scenes::Pressing;
 use layouts::arrangement::FilmKind;
@@ -100,7 +100,7 @@ fn both(
 ) -> Option<(Both, Both, f64)> {
     let found = pair.map(|(pressing, _)| table.samples(number, &weights(table, &pressing)));
     let [first, second] =
-        pair.map(|(_, response)| samples(&own_rings(kinds, &response.rings)?, kind, kinds));
+        pair.map(|(_, response)| samples(&image(kinds, [false; 2], &response.rings)?, kind, kinds));
     let [low, high] = pair.map(|(pressing, _)| table.depth_of_load_mm(pressing.load_n));
     Some((found, [first?, second?], high - low))
 }

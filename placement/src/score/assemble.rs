@@ -9,6 +9,7 @@ use crate::score::analyst::Stopped;
 use crate::score::indices::{Coarse, score};
 use crate::score::notes::notes;
 use crate::score::rank::rank;
+use documents::parts::distribution_reader::distribution_value;
 use documents::study::Study;
 use documents::study::plan::Plan;
 use results::{CutPoint, FailedPoint, InputReport, StudyCost, StudyIdentity, StudyResult};
@@ -109,6 +110,6 @@ fn input_report(input: &documents::study::Input) -> InputReport {
     InputReport {
         name: input.name.clone(),
         vary: input.vary.clone(),
-        distribution: input.distribution_value(),
+        distribution: distribution_value(&input.distribution),
     }
 }

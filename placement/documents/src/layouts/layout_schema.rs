@@ -9,11 +9,13 @@ use fem_client::scene::{DEPTH, LOAD, Level};
 use fem_client::solver::Position;
 use serde_json::json;
 
+use crate::layouts::contact_laws::ContactQuantity;
 use crate::layouts::layout_bounds::{
     ANGLE, DISTANCE, GAIN, LONGEST_LAYOUT, MOST_ENTRIES, MOST_FILMS, MOST_FREE, MOST_LOADS,
     MOST_SEARCHED, MOST_SIZES, MOST_SLOTS, MOST_UNITS, PLACE, SHARE, SIDE, SPACING, STRAIN, VOLTS,
 };
 use crate::layouts::layout_settings::{Layouts, NOISE_SHARE};
+use crate::parts::distribution_reader::distribution_schema;
 
 /// A section angle; a scene bounds it more narrowly, a wall's thickness off the bead.
 const SECTION: Range = Range::new(-180.0, 180.0, "degrees");
@@ -112,12 +114,25 @@ fn describe_judgement(layouts: &mut Properties, schemas: &mut Schemas) {
     add("dead", doc, bool::schema(&(), schemas), Some(false.into()));
     let doc = "Whether forces along the wheel and across it are unknown, too: takes ground with friction, and a solve of the whole tire for every load and mesh.";
     add("shear", doc, bool::schema(&(), schemas), Some(false.into()));
+    let doc = "Laws of what a contact is beside its angle and depth, which an estimate doesn't know: simulated errors are over contacts as they come. Takes `depths_mm`.";
+    add("contacts", doc, contacts(schemas), None);
     let doc =
         "Mesh level of the layouts' own solves; the study's, the standard at most, when left out.";
     add("level", doc, Level::schema(&(), schemas), None);
     layouts.exclude(&["depths_mm", "loads_n"]);
     layouts.exclude(&["noise_share", "noise_strain"]);
     layouts.exclude(&["noise_share", "noise_v"]);
+}
+
+fn contacts(schemas: &mut Schemas) -> Value {
+    schemas.define("LayoutContacts", |schemas| {
+        let mut laws = Properties::default();
+        for quantity in ContactQuantity::ALL {
+            let law = distribution_schema(schemas);
+            laws.add(quantity.as_str(), quantity.doc(), law, None, false);
+        }
+        laws.table("Laws of contacts; what has none is as in the scene.")
+    })
 }
 
 /// A name, or an angle to the circumference, degrees.

@@ -5,6 +5,7 @@ use fem_client::solver::Position;
 use fem_client::solver::direction::Direction;
 use serde_json::{Map, Value, json};
 
+use crate::layouts::contact_laws::{ContactLaw, laws_value};
 use crate::layouts::film_room::FilmRoom;
 use crate::layouts::gluing_limits::GluingLimits;
 use crate::parts::directions::Directions;
@@ -55,6 +56,8 @@ pub struct Layouts {
     pub dead: bool,
     /// Whether forces along and across the wheel are unknown, too.
     pub shear: bool,
+    /// Laws of what a contact is beside its angle and depth; none: it is upright, on flat ground, not dragged.
+    pub contacts: Vec<ContactLaw>,
     /// Mesh level; none: the study's own, the standard at most.
     pub level: Option<Level>,
     /// Search for the best layouts.
@@ -165,6 +168,7 @@ impl Default for Layouts {
             noise: NoiseSettings::default(),
             dead: false,
             shear: false,
+            contacts: Vec::new(),
             level: None,
             search: None,
         }
@@ -314,6 +318,9 @@ impl Layouts {
         }
         if self.shear {
             put("shear", true.into());
+        }
+        if !self.contacts.is_empty() {
+            put("contacts", laws_value(&self.contacts));
         }
         if let Some(level) = self.level {
             put("level", level.as_str().into());

@@ -12,7 +12,7 @@ use gsa::law::distribution::Distribution;
 use gsa::method::{Kind, Method};
 use serde_json::{Value, json};
 
-use crate::study::distribution_reader::{distribution_schema, read_distribution};
+use crate::parts::distribution_reader::{distribution_schema, read_distribution};
 use crate::study::input_reader::same_text;
 use crate::study::method_reader::{Limits, method_schema, read_method};
 use document::typed::field_value::read_name;

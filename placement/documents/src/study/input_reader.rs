@@ -11,8 +11,8 @@ use fem_client::scene::Scene;
 use gsa::law::distribution::Distribution;
 use serde_json::{Value, json};
 
+use crate::parts::distribution_reader::{distribution_schema, read_distribution};
 use crate::study::Input;
-use crate::study::distribution_reader::{distribution_schema, read_distribution};
 use document::typed::field_value::read_name;
 
 /// Most inputs of a study.

@@ -1,6 +1,6 @@
 //! The study document: what varies, what is asked.
 //!
-//! - `study_reader` and, for its parts, `candidate_reader`, `distribution_reader`, `input_reader` and `method_reader`: read a study, with every fault at once
+//! - `study_reader` and, for its parts, `candidate_reader`, `input_reader` and `method_reader`: read a study, with every fault at once
 //! - `study_schema`: its JSON Schema
 //! - [`question`]: what is asked of layouts
 //! - [`study_fields`]: names of its fields
@@ -8,7 +8,6 @@
 //! - [`plan`]: the design points of a study, a pure function of the document
 
 pub(crate) mod candidate_reader;
-pub(crate) mod distribution_reader;
 pub(crate) mod input_reader;
 pub(crate) mod method_reader;
 pub mod plan;
@@ -29,6 +28,7 @@ use sha2::{Digest, Sha256};
 
 use crate::layouts::layout_settings::Layouts;
 use crate::parts::directions::Directions;
+use crate::parts::distribution_reader::distribution_value;
 use crate::rig::rig_settings::RigSettings;
 use crate::signals::signal_settings::SignalSettings;
 use crate::study::candidate_reader::{Candidates, Points};
@@ -162,24 +162,8 @@ impl Input {
             .ok()
     }
 
-    /// The distribution as in the document.
-    pub fn distribution_value(&self) -> Value {
-        let mut value = Map::new();
-        value.insert("kind".to_owned(), self.distribution.kind().into());
-        let parameters = self.distribution.parameters();
-        value.extend(
-            parameters
-                .into_iter()
-                .map(|(name, x)| (name.to_owned(), x.into())),
-        );
-        if let Some((low, high)) = self.distribution.truncation() {
-            value.insert("truncate".to_owned(), json!([low, high]));
-        }
-        Value::Object(value)
-    }
-
     fn to_value(&self) -> Value {
-        json!({"name": self.name, "vary": self.vary, "distribution": self.distribution_value()})
+        json!({"name": self.name, "vary": self.vary, "distribution": distribution_value(&self.distribution)})
     }
 }
 

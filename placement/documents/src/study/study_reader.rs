@@ -13,8 +13,8 @@ use fem_client::scene::{Film, Level, Scene};
 use gsa::method::{Kind, Method};
 use serde_json::Value;
 
-use crate::layouts::layout_reader::layouts;
 use crate::layouts::layout_settings::Layouts;
+use crate::layouts::reading::layout_reader::layouts;
 use crate::parts::directions::Directions;
 use crate::parts::scene_reader::{Resolve, scene};
 use crate::rig::rig_settings::RigSettings;

@@ -1,6 +1,7 @@
 //! Fields of films around the wheel, at one load and over all loads of a study.
 
 use crate::field::hermite::{Nodes, Turn, summed};
+use crate::field::response_surface::{Drawn, ResponseSurface};
 
 /// A force presses to depths that differ by less between meshes, relative.
 const SAME_LOAD: f64 = 0.05;
@@ -19,6 +20,10 @@ pub struct DepthFields {
     pub signals: Vec<Vec<Vec<f64>>>,
     /// Loads at which the ground was dragged.
     pub sheared: Vec<ShearField>,
+    /// Surface over contacts; none: they are always the usual one. Forces and signals are means over them.
+    pub contacts: Option<ResponseSurface>,
+    /// Variances of the signals over contacts by kind and depth.
+    pub spread: Option<Vec<Vec<Vec<f64>>>>,
 }
 
 /// Changes with a small shift of the ground at one load.
@@ -54,6 +59,8 @@ pub struct KindField {
     pub signal: Turn,
     /// Derivatives of the readings by the depth, 1/mm, and by further unknowns.
     pub slopes: Vec<Turn>,
+    /// Variance over contacts; none where all are the usual one.
+    pub spread: Option<Turn>,
 }
 
 impl DepthFields {
@@ -64,20 +71,43 @@ impl DepthFields {
             let sample = |degree: usize| summed(shares, |node| samples[node][degree]);
             Turn::new((0..samples[0].len()).map(sample).collect())
         };
-        let kind = |samples: &Vec<Vec<f64>>| KindField {
+        let kind = |(kind, samples): (usize, &Vec<Vec<f64>>)| KindField {
             signal: over_turn(&value, samples),
             slopes: vec![over_turn(&slope, samples)],
+            spread: self
+                .spread
+                .as_ref()
+                .map(|spread| over_turn(&value, &spread[kind])),
         };
         LoadField {
             depth_mm,
             force_n: summed(&value, |node| self.forces_n[node]),
             force_slope: summed(&slope, |node| self.forces_n[node]),
-            kinds: self.signals.iter().map(kind).collect(),
+            kinds: self.signals.iter().enumerate().map(kind).collect(),
         }
     }
 }
 
 impl DepthFields {
+    /// The fields that readings have over contacts of which this is drawn: the means, and beside the noise the variances.
+    pub fn over_contacts(surface: ResponseSurface, drawn: Drawn) -> Self {
+        let (means, spread) = surface.over_contacts(drawn);
+        Self {
+            depths: means.depths,
+            forces_n: means.forces_n,
+            signals: means.signals,
+            sheared: Vec::new(),
+            contacts: Some(surface),
+            spread: Some(spread),
+        }
+    }
+
+    /// Vertical force at a depth, taken into the solved range, N.
+    pub fn force_n(&self, depth_mm: f64) -> f64 {
+        let [value, _] = self.depths.shares(depth_mm);
+        summed(&value, |node| self.forces_n[node])
+    }
+
     /// The fields at so many depths, two or more, evenly from the least solved one to the largest.
     pub fn evenly(&self, count: usize) -> Vec<LoadField> {
         let [low, high] = self.depths.ends();
@@ -105,11 +135,14 @@ impl DepthFields {
 
     /// The fields of some kinds alone, in their order.
     pub fn of_kinds(&self, kinds: &[usize]) -> Self {
+        let some = |all: &Vec<Vec<Vec<f64>>>| kinds.iter().map(|&kind| all[kind].clone()).collect();
         Self {
-            signals: kinds
-                .iter()
-                .map(|&kind| self.signals[kind].clone())
-                .collect(),
+            signals: some(&self.signals),
+            spread: self.spread.as_ref().map(some),
+            contacts: self
+                .contacts
+                .as_ref()
+                .map(|surface| surface.of_kinds(kinds)),
             sheared: self
                 .sheared
                 .iter()
@@ -142,6 +175,13 @@ impl ShearField {
 }
 
 impl KindField {
+    /// Variance of the signal over contacts, of a film this far from them, degrees; the noise's comes on top.
+    pub fn scatter(&self, apart_deg: f64) -> f64 {
+        // A cubic through variances may fall below zero between two of them.
+        let variance = |spread: &Turn| spread.at(apart_deg).max(0.0);
+        self.spread.as_ref().map_or(0.0, variance)
+    }
+
     /// Derivatives of the signal by the contact angle (1/degree), the depth (1/mm), and further unknowns, of a film this far from the contact, degrees.
     pub fn derivatives(&self, apart_deg: f64) -> impl Iterator<Item = f64> + '_ {
         let by_angle = -self.signal.slope(apart_deg);

@@ -236,6 +236,15 @@ impl Nodes {
     }
 }
 
+impl Shares {
+    /// Numbers of the samples, each with its share.
+    pub fn each(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
+        let near = self.shares[..self.count].iter().enumerate();
+        near.map(|(k, share)| (self.first + k, *share))
+            .filter(|(_, share)| *share != 0.0)
+    }
+}
+
 /// The sum of samples by their shares.
 pub fn summed(shares: &Shares, sample: impl Fn(usize) -> f64) -> f64 {
     let near = shares.shares[..shares.count].iter().enumerate();

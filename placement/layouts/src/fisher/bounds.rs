@@ -52,7 +52,8 @@ pub fn information(
         let apart = film.theta_deg - contact_deg;
         slopes.clear();
         slopes.extend(kind.derivatives(apart));
-        information.add(&slopes, noise.variance(kind.signal.at(apart), slopes[0]));
+        let own = noise.variance(kind.signal.at(apart), slopes[0]);
+        information.add(&slopes, own + kind.scatter(apart));
     }
     information
 }
@@ -176,6 +177,8 @@ pub(crate) mod tests {
             forces_n: depths.iter().map(|d| 13.0 * d).collect(),
             signals: vec![over(&bell), over(&slope)],
             sheared: Vec::new(),
+            contacts: None,
+            spread: None,
         }
     }
 
@@ -287,6 +290,7 @@ pub(crate) mod tests {
             kinds: vec![KindField {
                 signal: nothing(),
                 slopes: vec![nothing()],
+                spread: None,
             }],
         };
         let silent = Noise {

@@ -46,7 +46,7 @@ fn information(kind: usize, loads: &[LoadField], noise: &Noise) -> [f64; 2] {
     for field in loads.iter().map(|load| &load.kinds[kind]) {
         for apart in (-180..180).map(f64::from) {
             let slope = field.signal.slope(apart);
-            let variance = noise.variance(field.signal.at(apart), slope);
+            let variance = noise.variance(field.signal.at(apart), slope) + field.scatter(apart);
             sums[0] += slope * slope / variance;
             sums[1] += field.slopes[0].at(apart).powi(2) / variance;
         }

@@ -21,7 +21,7 @@ pub(crate) fn dense_bound_deg(field: &LoadField, kinds: &[usize], noise: &Noise)
         for apart in (-180..180).map(f64::from) {
             let slopes: Vec<f64> = kind.derivatives(apart).collect();
             // One film for every unit, spread over the turn.
-            let variance = noise.variance(kind.signal.at(apart), slopes[0]);
+            let variance = noise.variance(kind.signal.at(apart), slopes[0]) + kind.scatter(apart);
             information.add(&slopes, 360.0 * variance);
         }
     }

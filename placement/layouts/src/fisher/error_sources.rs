@@ -55,7 +55,8 @@ fn off_deg(
     for film in &arrangement.films {
         let kind = &field.kinds[film.kind];
         let apart = film.theta_deg - contact_deg;
-        let variance = noise.variance(kind.signal.at(apart), kind.signal.slope(apart));
+        let own = noise.variance(kind.signal.at(apart), kind.signal.slope(apart));
+        let variance = own + kind.scatter(apart);
         let weighted = shifts[film.kind].at(apart) / variance;
         for (right, slope) in right.iter_mut().zip(kind.derivatives(apart)) {
             *right += slope * weighted;

@@ -4,11 +4,13 @@ use std::collections::BTreeMap;
 
 use crate::arrangement::{Arrangement, LaidFilm};
 use crate::field::film_field::{DepthFields, LoadField, Noise};
+use crate::field::response_surface::Drawn;
 use crate::fisher::bounds::{bayes_angle_deg, bounds, weakest_signal};
 use crate::simulate::alike::alike;
+use crate::simulate::draws::Draws;
 use crate::simulate::reading_likelihood::Likelihood;
-use crate::simulate::simulation::{Draws, Simulated, simulate};
-use results::{DeadFilm, LayoutScore, ShearScore};
+use crate::simulate::simulation::{Simulated, simulate};
+use results::{ContactError, DeadFilm, LayoutScore, ShearScore};
 
 /// Scores layouts on the fields of one mesh.
 pub struct Scorer {
@@ -67,6 +69,9 @@ impl Scorer {
         for (score, depth) in scores.iter_mut().zip(&self.depths_mm) {
             score.alike = alike(likelihood.fields(), *depth, &own, &self.noise);
         }
+        for (score, contacts) in scores.iter_mut().zip(self.by_contacts(likelihood, &own)) {
+            score.contacts = contacts;
+        }
         if self.dead {
             let dead = self.dead_film(likelihood, &own).into_iter();
             scores
@@ -77,13 +82,35 @@ impl Scorer {
         scores
     }
 
+    /// Errors at each depth of contacts that differ in nothing, and in each quantity alone, as an estimate has them that knows so; nothing where contacts don't
+    /// differ.
+    fn by_contacts(&self, likelihood: &Likelihood, own: &Arrangement) -> Vec<Vec<ContactError>> {
+        let mut errors = vec![Vec::new(); self.depths_mm.len()];
+        for (drawn, law, likelihood) in likelihood.alone() {
+            let simulated = simulate(likelihood, &self.depths_mm, own, &self.draws, *drawn);
+            let [of, words] = law.map_or(["noise"; 2], |quantity| {
+                [quantity.as_str(), quantity.words()]
+            });
+            for ((errors, depth), found) in errors.iter_mut().zip(&self.depths_mm).zip(simulated) {
+                let slope = likelihood.field(*depth).force_slope.abs();
+                errors.push(ContactError {
+                    of: of.to_owned(),
+                    words: words.to_owned(),
+                    p95_angle_error_deg: found.p95_angle_deg,
+                    force_error_n: found.force_n(slope)[0],
+                });
+            }
+        }
+        errors
+    }
+
     /// Bounds and simulated errors alone, at each depth.
     ///
     /// # Panics
     /// Of a layout that wasn't announced.
     pub fn figures(&self, arrangement: &Arrangement) -> Vec<LayoutScore> {
         let (likelihood, own) = self.own(arrangement);
-        let simulated = simulate(likelihood, &self.depths_mm, &own, &self.draws);
+        let simulated = simulate(likelihood, &self.depths_mm, &own, &self.draws, Drawn::All);
         let at = |(depth, simulated): (&f64, &Simulated)| {
             self.score(likelihood.fields(), *depth, &own, simulated)
         };
@@ -119,8 +146,8 @@ impl Scorer {
     ) -> [f64; 2] {
         let (likelihood, own) = self.own(arrangement);
         let slope = likelihood.field(depth_mm).force_slope.abs();
-        let found = &simulate(likelihood, &[depth_mm], &own, draws)[0];
-        [found.p95_angle_deg, found.rms_depth_mm * slope]
+        let found = &simulate(likelihood, &[depth_mm], &own, draws, Drawn::All)[0];
+        [found.p95_angle_deg, found.force_n(slope)[0]]
     }
 
     /// The likelihood of a layout's kinds of film, and the layout with its kinds numbered as there.
@@ -137,6 +164,7 @@ impl Scorer {
         simulated: &Simulated,
     ) -> LayoutScore {
         let field = &fields.at(depth_mm);
+        let [force_n, force_se_n] = simulated.force_n(field.force_slope.abs());
         LayoutScore {
             simulated_rms_angle_error_deg: Some(simulated.rms_angle_deg),
             simulated_rms_angle_error_deg_se: Some(simulated.rms_angle_se_deg),
@@ -144,8 +172,8 @@ impl Scorer {
             simulated_p95_angle_error_deg_se: Some(simulated.p95_angle_se_deg),
             lost_share: Some(simulated.lost_share),
             simulated_rms_depth_error_mm: Some(simulated.rms_depth_mm),
-            force_error_n: Some(simulated.rms_depth_mm * field.force_slope.abs()),
-            force_error_n_se: Some(simulated.rms_depth_se_mm * field.force_slope.abs()),
+            force_error_n: Some(force_n),
+            force_error_n_se: Some(force_se_n),
             shear: shear(fields, &self.noise, depth_mm, arrangement),
             ..bounded(field, &self.noise, arrangement)
         }
@@ -176,7 +204,7 @@ impl Scorer {
         let rest = arrangement.without(worst.0);
         let simulated = match rest.films.is_empty() {
             true => Vec::new(),
-            false => simulate(likelihood, &self.depths_mm, &rest, &self.draws),
+            false => simulate(likelihood, &self.depths_mm, &rest, &self.draws, Drawn::All),
         };
         let at = |(k, bound): (usize, Option<f64>)| DeadFilm {
             film: worst.0,
@@ -197,7 +225,8 @@ pub fn bounds_alone(
     arrangement: &Arrangement,
 ) -> Vec<LayoutScore> {
     let kinds = kinds_of(arrangement);
-    let (fields, own) = (fields.of_kinds(&kinds), renumbered(arrangement, &kinds));
+    let fields = fields.of_kinds(&kinds);
+    let own = renumbered(arrangement, &kinds);
     let at = |depth: &f64| LayoutScore {
         shear: shear(&fields, noise, *depth, &own),
         ..bounded(&fields.at(*depth), noise, &own)

@@ -7,7 +7,8 @@ use std::collections::BTreeMap;
 
 use crate::ranking::asked_layouts::AskedLayout;
 use crate::ranking::layout_scores::Scorer;
-use crate::simulate::simulation::{Draws, LOST_DEG};
+use crate::simulate::draws::Draws;
+use crate::simulate::simulation::LOST_DEG;
 
 /// Least ratio of the 95th percentile to the bound: 1.96 of a normal error that is the same at all contacts, 1.9 to 23 on tires.
 const LEAST_RATIO: f64 = 1.5;

@@ -202,7 +202,8 @@ fn distances(film: &LaidFilm, fields: &SearchFields<'_>, noise: &Noise) -> Vec<f
         .collect();
     let of_contact = |contact: f64| {
         let (own, slope) = reading(weakest, contact);
-        let variance = noise.variance(own, slope);
+        let apart = film.theta_deg - contact;
+        let variance = noise.variance(own, slope) + weakest.kinds[film.kind].scatter(apart);
         others.iter().map(move |(angle, other)| {
             let apart = (angle - contact).rem_euclid(360.0);
             match apart.min(360.0 - apart) > LOST_DEG {

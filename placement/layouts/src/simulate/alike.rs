@@ -77,7 +77,8 @@ fn with_variance(
     let both = arrangement.films.iter().map(|film| {
         let (signal, apart) = (&field.kinds[film.kind].signal, film.theta_deg - contact_deg);
         let reading = signal.at(apart);
-        (reading, noise.variance(reading, signal.slope(apart)))
+        let own = noise.variance(reading, signal.slope(apart));
+        (reading, own + field.kinds[film.kind].scatter(apart))
     });
     both.unzip()
 }

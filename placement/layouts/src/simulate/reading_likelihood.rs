@@ -1,6 +1,11 @@
 //! Likelihood of readings, whatever the layout: ln p as sums of products of a function of the depth and one of the angle.
 
+use std::sync::OnceLock;
+
+use documents::layouts::contact_laws::ContactQuantity;
+
 use crate::field::film_field::{DepthFields, KindField, LoadField, Noise};
+use crate::field::response_surface::Drawn;
 use crate::field::separated::Separated;
 use crate::simulate::lanes::LANES;
 use crate::simulate::posterior_grid::{DEPTH_CELLS, MOST_PARTS, middles};
@@ -11,6 +16,8 @@ const TOLERANCE: f64 = 3e-6;
 /// The likelihood of readings of some kinds of film, whatever their layout.
 pub struct Likelihood {
     fields: DepthFields,
+    /// Likelihoods of contacts that differ in less; made where they are asked for.
+    alone: OnceLock<Vec<Alone>>,
     noise: Noise,
     /// Middles of the finest parts of the depth cells, mm.
     pub(super) depths_mm: Vec<f64>,
@@ -18,6 +25,9 @@ pub struct Likelihood {
     pub(super) coefficients: Coefficients,
     pub(super) parts: Parts,
 }
+
+/// Likelihood of contacts of which one quantity alone is drawn, or none.
+pub(crate) type Alone = (Drawn, Option<ContactQuantity>, Likelihood);
 
 /// Factors of the products by part of a depth, those of readings first, then those of squared readings. Each row ends with zeros, up to a multiple of [`LANES`].
 pub(super) struct Coefficients {
@@ -57,10 +67,32 @@ impl Likelihood {
         Self {
             fields,
             noise,
+            alone: OnceLock::new(),
             coefficients: joined(&parts),
             parts,
             depths_mm,
         }
+    }
+
+    /// Likelihoods of contacts that differ in nothing, and in each quantity alone; none where contacts don't differ.
+    pub(crate) fn alone(&self) -> &[Alone] {
+        self.alone.get_or_init(|| {
+            let Some(surface) = &self.fields.contacts else {
+                return Vec::new();
+            };
+            let quantities = surface.laws().iter().map(|law| Some(law.quantity));
+            let only = quantities
+                .enumerate()
+                .map(|(law, own)| (Drawn::Only(law), own));
+            let of = |(drawn, own): (Drawn, Option<ContactQuantity>)| {
+                let fields = DepthFields::over_contacts(surface.clone(), drawn);
+                (drawn, own, Self::new(fields, self.noise))
+            };
+            std::iter::once((Drawn::Nothing, None))
+                .chain(only)
+                .map(of)
+                .collect()
+        })
     }
 
     /// The fields.
@@ -71,6 +103,11 @@ impl Likelihood {
     /// The fields at a depth, mm.
     pub fn field(&self, depth_mm: f64) -> LoadField {
         self.fields.at(depth_mm)
+    }
+
+    /// Vertical force that is believed at a depth, N: its mean over contacts.
+    pub(super) fn force_n(&self, depth_mm: f64) -> f64 {
+        self.fields.force_n(depth_mm)
     }
 
     /// Errors of readings.
@@ -86,7 +123,10 @@ fn separate(fields: &DepthFields, depths_mm: &[f64], noise: &Noise) -> Parts {
         let kind = |kind: &KindField| -> Vec<f64> {
             let angles = (-180..180).map(f64::from).zip(kind.signal.samples());
             angles
-                .map(|(u, signal)| part(*signal, noise.variance(*signal, kind.signal.slope(u))))
+                .map(|(u, signal)| {
+                    let own = noise.variance(*signal, kind.signal.slope(u));
+                    part(*signal, own + kind.scatter(u))
+                })
                 .collect()
         };
         let fields: Vec<Vec<Vec<f64>>> = loads
@@ -97,7 +137,8 @@ fn separate(fields: &DepthFields, depths_mm: &[f64], noise: &Noise) -> Parts {
     };
     Parts {
         linear: over(&|signal, variance| signal / variance),
-        quadratic: (!noise.is_plain()).then(|| over(&|_, variance| 1.0 / variance)),
+        quadratic: (!noise.is_plain() || fields.spread.is_some())
+            .then(|| over(&|_, variance| 1.0 / variance)),
         constant: over(&|signal, variance| {
             signal * signal / variance + (variance / (noise.floor * noise.floor)).ln()
         }),

@@ -2,18 +2,14 @@
 
 use estimation::error_metrics::order_statistics::interpolated_quantile;
 use ndarray::Array2;
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::SeedableRng;
 
 use crate::arrangement::Arrangement;
-use crate::simulate::normal_pairs::normal_pair;
+use crate::field::response_surface::Drawn;
+use crate::simulate::drawn_contacts::DrawnContacts;
+use crate::simulate::draws::Draws;
 use crate::simulate::posterior::Estimator;
 use crate::simulate::reading_likelihood::Likelihood;
 
-/// Contacts in one period of a layout; as many more where there is none.
-const CONTACTS: usize = 24;
-/// Contacts of a layout without symmetry: every 2.5 degrees.
-const MOST_CONTACTS: usize = 144;
 /// Readings of one layout at one load that tell a root mean square to 3 %, and a 95th percentile to some 8 %.
 pub const SAMPLES: usize = 480;
 /// An estimate further off than this has lost the contact, degrees.
@@ -36,32 +32,15 @@ pub struct Simulated {
     pub rms_depth_mm: f64,
     /// Standard error of it by the number of samples, mm.
     pub rms_depth_se_mm: f64,
+    /// Root mean square of the vertical force's error, N, and its standard error, where contacts differ; else the depth's tells it.
+    pub rms_force_n: Option<[f64; 2]>,
 }
 
-/// Standard normal numbers, the same for all layouts: by sample, then film.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Draws {
-    samples: usize,
-    films: usize,
-    normals: Vec<f64>,
-}
-
-impl Draws {
-    /// Draws so many readings, or a few more, of layouts of up to so many films.
-    pub fn new(seed: u64, samples: usize, films: usize) -> Self {
-        let mut rng = ChaCha8Rng::seed_from_u64(seed);
-        let most = MOST_CONTACTS * samples.div_ceil(MOST_CONTACTS);
-        // The first of each pair alone.
-        let normals = (0..most * films).map(|_| normal_pair(&mut rng)[0]);
-        Self {
-            samples,
-            films,
-            normals: normals.collect(),
-        }
-    }
-
-    fn of(&self, sample: usize) -> &[f64] {
-        &self.normals[sample * self.films..][..self.films]
+impl Simulated {
+    /// Root mean square of the vertical force's error, N, and its standard error; where contacts don't differ by its slope over the depth, N/mm.
+    pub fn force_n(&self, slope: f64) -> [f64; 2] {
+        let by_depth = [self.rms_depth_mm * slope, self.rms_depth_se_mm * slope];
+        self.rms_force_n.unwrap_or(by_depth)
     }
 }
 
@@ -74,47 +53,50 @@ pub fn simulate(
     depths_mm: &[f64],
     arrangement: &Arrangement,
     draws: &Draws,
+    drawn: Drawn,
 ) -> Vec<Simulated> {
     let estimator = Estimator::new(likelihood, arrangement);
-    let at = |depth: &f64| simulate_at(*depth, &estimator, likelihood, arrangement, draws);
+    let at = |depth: &f64| {
+        let contacts = DrawnContacts::new(likelihood, *depth, (draws, drawn));
+        simulate_at(
+            *depth,
+            (&estimator, likelihood),
+            arrangement,
+            draws,
+            &contacts,
+        )
+    };
     depths_mm.iter().map(at).collect()
 }
 
 fn simulate_at(
     depth_mm: f64,
-    estimator: &Estimator<'_>,
-    likelihood: &Likelihood,
+    (estimator, likelihood): (&Estimator<'_>, &Likelihood),
     arrangement: &Arrangement,
     draws: &Draws,
+    drawn: &DrawnContacts,
 ) -> Simulated {
-    let (field, noise) = (likelihood.field(depth_mm), likelihood.noise());
-    let contacts = if arrangement.period_deg < 360.0 {
-        CONTACTS
-    } else {
-        MOST_CONTACTS
-    };
-    let repeats = draws.samples.div_ceil(contacts);
-    let (mut angles, mut depths) = (Vec::new(), Vec::new());
+    let contacts = Draws::contacts_of(arrangement);
+    let repeats = draws.repeats(contacts);
+    let (mut angles, mut depths, mut forces) = (Vec::new(), Vec::new(), Vec::new());
     for (c, contact) in arrangement.contacts(contacts).enumerate() {
-        let readings: Vec<(f64, f64)> = arrangement
-            .films
-            .iter()
-            .map(|film| {
-                let (signal, apart) = (&field.kinds[film.kind].signal, film.theta_deg - contact);
-                let reading = signal.at(apart);
-                (reading, noise.variance(reading, signal.slope(apart)).sqrt())
-            })
-            .collect();
-        let noisy = Array2::from_shape_fn((repeats, readings.len()), |(repeat, film)| {
-            let (signal, deviation) = readings[film];
-            signal + deviation * draws.of(c * repeats + repeat)[film]
+        let sample = |repeat: usize| c * repeats + repeat;
+        let noisy = Array2::from_shape_fn((repeats, arrangement.films.len()), |(repeat, film)| {
+            let laid = &arrangement.films[film];
+            let signal = drawn.signal(sample(repeat), laid.kind);
+            let apart = laid.theta_deg - contact;
+            let reading = signal.at(apart);
+            let variance = likelihood.noise().variance(reading, signal.slope(apart));
+            reading + variance.sqrt() * draws.of(sample(repeat))[film]
         });
-        for found in estimator.estimates(&noisy) {
+        for (repeat, found) in estimator.estimates(&noisy).into_iter().enumerate() {
             angles.push(apart(found.angle_deg, contact));
             depths.push(found.depth_mm - depth_mm);
+            let believed = || likelihood.force_n(found.depth_mm);
+            forces.extend(drawn.force_n(sample(repeat)).map(|own| believed() - own));
         }
     }
-    summary(angles, &depths)
+    summary(angles, &depths, &forces)
 }
 
 /// Returns the distance of two angles, the short way round, degrees.
@@ -123,7 +105,7 @@ fn apart(a: f64, b: f64) -> f64 {
     turned.min(360.0 - turned)
 }
 
-fn summary(mut angles: Vec<f64>, depths: &[f64]) -> Simulated {
+fn summary(mut angles: Vec<f64>, depths: &[f64], forces: &[f64]) -> Simulated {
     let count = angles.len() as f64;
     angles.sort_by(f64::total_cmp);
     let at_share = |share: f64| interpolated_quantile(&angles, share);
@@ -139,6 +121,7 @@ fn summary(mut angles: Vec<f64>, depths: &[f64]) -> Simulated {
         lost_share: angles.iter().filter(|error| **error > LOST_DEG).count() as f64 / count,
         rms_depth_mm,
         rms_depth_se_mm,
+        rms_force_n: (!forces.is_empty()).then(|| root_mean_square(forces)),
     }
 }
 
@@ -163,6 +146,7 @@ fn root_mean_square(errors: &[f64]) -> [f64; 2] {
 mod tests {
     use super::*;
     use crate::field::film_field::{DepthFields, Noise};
+    use crate::field::response_surface::tests::surface;
     use crate::fisher::bounds::bounds;
     use crate::fisher::bounds::tests::{NOISE, gaussian};
 
@@ -177,6 +161,7 @@ mod tests {
             &[1.0],
             arrangement,
             draws,
+            Drawn::All,
         )[0]
     }
 
@@ -242,17 +227,33 @@ mod tests {
         );
     }
 
+    /// Contacts at other pressures: a film that feels their share of its signal beside its noise knows the force by what the mean one has.
     #[test]
-    fn one_seed_gives_the_same_numbers() {
-        let [a, b, c] = [7, 7, 8].map(|seed| Draws::new(seed, SAMPLES, 3));
-        assert_eq!(a, b);
-        assert_ne!(a, c);
-        let mean = a.normals.iter().sum::<f64>() / a.normals.len() as f64;
-        let square = a.normals.iter().map(|z| z * z).sum::<f64>() / a.normals.len() as f64;
-        // 1728 numbers: three of their standard errors.
+    fn what_contacts_differ_in_is_felt_as_an_error() {
+        let mut fields = DepthFields::over_contacts(surface(), Drawn::All);
+        let arrangement = Arrangement::regular(24, &[0, 1], false);
+        let draws = Draws::new(1, SAMPLES, 48);
+        let likelihood = Likelihood::new(fields.clone(), NOISE);
+        let at = |likelihood: &Likelihood, drawn| {
+            simulate(likelihood, &[1.0], &arrangement, &draws, drawn)[0]
+        };
+        let alone = likelihood.alone();
+        let [nothing, pressure, traction] = [0, 1, 2].map(|k| at(&alone[k].2, alone[k].0));
+        let [nothing_n, pressure_n] = [nothing, pressure].map(|found| found.force_n(13.0)[0]);
+        // Ten per cent of pressure are eight of the signal, taken for eight of the depth, and one newton: evenly to either side 1.2 N.
+        let expected = 0.1 / 3f64.sqrt() * (13.0 * 0.8 + 10.0);
+        let beside = (nothing_n * nothing_n + expected * expected).sqrt();
         assert!(
-            mean.abs() < 3.0 / 1728f64.sqrt()
-                && (square - 1.0).abs() < 3.0 * (2.0 / 1728f64).sqrt()
+            (pressure_n / beside - 1.0).abs() < 0.15,
+            "{pressure_n} {beside}"
         );
+        let all = at(&likelihood, Drawn::All);
+        assert!(traction.p95_angle_deg > nothing.p95_angle_deg);
+        assert!(all.force_n(13.0)[0] > pressure_n);
+        // Where they don't differ the force's error is the depth's by its slope.
+        fields.contacts = None;
+        let alike = simulated(&fields, &arrangement, &NOISE, &draws);
+        assert_eq!(alike.rms_force_n, None);
+        assert!((alike.force_n(13.0)[0] - 13.0 * alike.rms_depth_mm).abs() < 1e-12);
     }
 }

@@ -50,4 +50,7 @@ pub struct FieldLoad {
     pub signals: Vec<Vec<f64>>,
     /// Derivative of the signals by the depth, per mm: as many samples.
     pub slopes_per_mm: Vec<Vec<f64>>,
+    /// Variance of the signals over contacts as they come, beside that of the noise: as many samples; absent where contacts don't differ.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub variances: Vec<Vec<f64>>,
 }

@@ -14,7 +14,7 @@ use document::typed::lists::distinct_list as list;
 use documents::layouts::film_place_reader::film;
 use documents::layouts::layout_bounds::LONGEST_LAYOUT;
 use documents::layouts::layout_settings::{FreeLayout, direction_name};
-use documents::layouts::overlap_check::check_films;
+use documents::layouts::reading::overlap_check::check_films;
 use documents::parts::film_place::FilmPlace;
 use documents::study::Study;
 

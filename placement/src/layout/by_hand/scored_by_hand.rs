@@ -25,7 +25,7 @@ use layouts::field::film_field::{DepthFields, LoadField, Noise};
 use layouts::ranking::asked_layouts::{AskedLayout, Kinds, free};
 use layouts::ranking::layout_order::with_scores;
 use layouts::ranking::layout_scores::{Scorer, bounds_alone};
-use layouts::simulate::simulation::Draws;
+use layouts::simulate::draws::Draws;
 use results::{LayoutFindings, LayoutLoad, LayoutScore, RankedLayout};
 
 /// Most films of a layout that is moved by hand.
@@ -269,7 +269,12 @@ impl HandLayouts {
             } = fields.at(depth_mm);
             let signals = kinds.iter().map(|kind| kind.signal.samples().to_vec());
             let slopes = kinds.iter().map(|kind| kind.slopes[0].samples().to_vec());
+            let variances = kinds.iter().filter_map(|kind| {
+                let spread = kind.spread.as_ref()?;
+                Some(spread.samples().to_vec())
+            });
             FieldLoad {
+                variances: variances.collect(),
                 depth_mm,
                 load_n: load.load_n,
                 force_slope_n_per_mm: force_slope,

@@ -23,9 +23,11 @@ use layouts::ranking::asked_layouts::{AskedLayout, Kinds};
 use layouts::ranking::layout_order::{front, rank, tau_of_bound, with_scores};
 use layouts::ranking::layout_scores::Scorer;
 use layouts::ranking::screening::{Limits, competitors, kept};
-use layouts::simulate::simulation::{Draws, SAMPLES};
+use layouts::simulate::draws::Draws;
+use layouts::simulate::simulation::SAMPLES;
 use results::{
-    Knee, LayoutFindings, LayoutLoad, LoadShear, MenuFindings, RankedLayout, StrainRing,
+    ContactFindings, Knee, LayoutFindings, LayoutLoad, LoadShear, MenuFindings, RankedLayout,
+    StrainRing,
 };
 
 /// Simulated readings of a scored layout over those of one that is screened.
@@ -37,6 +39,8 @@ pub(crate) struct Answer<'s> {
     pub scenes: &'s LayoutScenes,
     pub fine: MeshFields,
     pub coarse: Option<(MeshFields, Coarser)>,
+    /// Error of the response surface over contacts, where they differ.
+    pub contacts: Option<ContactFindings>,
 }
 
 impl Answer<'_> {
@@ -116,6 +120,7 @@ impl Answer<'_> {
                 .coarse
                 .as_ref()
                 .map(|(_, coarser)| coarser.level.as_str().to_owned()),
+            contacts: self.contacts.clone(),
             menu,
             front: front(&layouts),
             tau_of_bound: tau_of_bound(&layouts),
@@ -123,7 +128,7 @@ impl Answer<'_> {
             candidates,
             rings: self.rings(&asked),
             loads: load_rows,
-            reasons: self.fine.without_shear.clone(),
+            reasons: self.fine.reasons.clone(),
         };
         Ok((layouts, findings))
     }

@@ -24,8 +24,8 @@ pub struct MeshFields {
     pub loads: Vec<Result<f64, String>>,
     /// The crown's largest signal at the load in the middle.
     pub crown: f64,
-    /// Reasons why there are no slopes over the ground's shift, where they were asked for.
-    pub without_shear: Vec<String>,
+    /// Reasons why something is missing that was asked for.
+    pub reasons: Vec<String>,
 }
 
 /// Fields of the kinds of film from what was solved, in the order of the scenes; the first two kinds are those of the crown.
@@ -73,6 +73,8 @@ pub fn mesh_fields(
             .collect::<Option<_>>()
             .ok_or("The solver gives no strains around the wheel.")?,
         sheared: Vec::new(),
+        contacts: None,
+        spread: None,
     };
     let (middle, _) = solved(scenes.middle())
         .map_err(|reason| format!("The load in the middle has no equilibrium: {reason}"))?;
@@ -88,7 +90,7 @@ pub fn mesh_fields(
         fields,
         loads,
         crown,
-        without_shear: Vec::new(),
+        reasons: Vec::new(),
     })
 }
 

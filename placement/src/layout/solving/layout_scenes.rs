@@ -141,6 +141,44 @@ impl LayoutScenes {
         self.loads.iter().map(dragged).collect()
     }
 
+    /// The tire on flat ground at a depth, mm, on a level.
+    pub(crate) fn flat(&self, depth_mm: f64, level: Level) -> Scene {
+        let mut scene = self.tire.clone();
+        scene.ground = scene.ground.at_depths(vec![depth_mm; self.stations()]);
+        scene.model.level = level;
+        scene
+    }
+
+    /// Number of the ground's stations.
+    pub(crate) fn stations(&self) -> usize {
+        self.tire.ground.stations
+    }
+
+    /// Number among what is solved of a load that is asked for.
+    pub(crate) fn asked(&self, load: usize) -> usize {
+        let is_own = |solved: &Pressed| *solved == self.loads[load];
+        self.solved.iter().position(is_own).unwrap_or_default()
+    }
+
+    /// Depths at which contacts are solved that differ from the usual one, mm: those asked for, the middle one first, and where these are fewer than three a little
+    /// beyond them on both sides; each with its number among the layouts' own solves.
+    pub(crate) fn depths_of_contacts(&self) -> Vec<(f64, usize)> {
+        let values = self.loads.iter().map(|load| load.value());
+        let [least, largest] = values.fold([f64::INFINITY, 0.0], |[low, high], value| {
+            [f64::min(low, value), f64::max(high, value)]
+        });
+        let ends = match self.loads.len() {
+            ..3 => vec![BEYOND[0] * least, BEYOND[1] * largest],
+            _ => Vec::new(),
+        };
+        let numbered = self.solved.iter().enumerate();
+        let is_wanted = |load: &Pressed| self.loads.contains(load) || ends.contains(&load.value());
+        let wanted = numbered.filter(|(_, load)| is_wanted(load));
+        wanted
+            .map(|(solved, load)| (load.value(), solved))
+            .collect()
+    }
+
     /// Returns how far the ground is dragged for slopes over its shift, mm: so little that all but the contact's rim sticks.
     pub fn shift_mm(&self) -> f64 {
         SHIFT_OF_SECTION * self.tire.geometry.section_radius_mm

@@ -3,6 +3,7 @@
 use fem_client::scene::Level;
 use fem_client::solver::{Coarser, Readout, Solver};
 
+use crate::layout::solving::contact_scenes::ContactScenes;
 use crate::layout::solving::glued_films::GluedFilms;
 use crate::layout::solving::judged_layouts::FULL_TO_SHORT;
 use crate::layout::solving::layout_scenes::LayoutScenes;
@@ -40,16 +41,21 @@ pub(crate) fn layout_series(study: &Study, plan: &Plan, solver: &dyn Solver) -> 
     let glued = study.layouts.glued.as_ref();
     let glued = glued.filter(|film| check_transferable(film).is_ok());
     let mut series = Vec::new();
-    for level in levels {
-        series.push(scenes.series(level, kinds));
+    for on_level in levels {
+        series.push(scenes.series(on_level, kinds));
         if let Some(film) = glued {
-            let films = GluedFilms::of_layouts(film, &scenes, kinds, level);
+            let films = GluedFilms::of_layouts(film, &scenes, kinds, on_level);
             let from_first = |scenes| SceneSeries::from_first(scenes, Readout::default());
             series.extend(films.series().map(from_first));
         }
+        if let Some(contacts) = ContactScenes::of(&scenes, &study.layouts.contacts) {
+            series.extend(contacts.series(on_level, kinds));
+            // The finer mesh alone is judged by contacts that the surface hasn't seen.
+            series.extend((on_level == level).then(|| contacts.check_series(level, kinds)));
+        }
         if study.layouts.shear {
             series.push(SceneSeries::from_first(
-                scenes.sheared(level),
+                scenes.sheared(on_level),
                 mirrored(kinds),
             ));
         }
@@ -99,5 +105,8 @@ pub(crate) fn scorings(study: &Study, plan: &Plan, solver: &dyn Solver) -> usize
     let offered = layouts.iter().filter(|layout| layout.of_menu).count();
     let layouts = layouts.len() - offered + offered.div_ceil(OFFERED_TO_KEPT) + found;
     let glimpses = offered.div_ceil(FULL_TO_SHORT);
-    layouts * loads * (meshes + usize::from(study.layouts.dead && meshes > 0)) + glimpses
+    // Contacts that differ in nothing, and in each quantity alone.
+    let laws = study.layouts.contacts.len();
+    let alone = if laws > 0 && meshes > 0 { 1 + laws } else { 0 };
+    layouts * loads * (meshes + usize::from(study.layouts.dead && meshes > 0) + alone) + glimpses
 }

@@ -3,6 +3,8 @@
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::{Readout, Solver};
 
+use crate::layout::solving::contact_fields::SolvedContacts;
+use crate::layout::solving::contact_scenes::ContactScenes;
 use crate::layout::solving::glued_films::GluedFilms;
 use crate::layout::solving::judged_layouts::Answer;
 use crate::layout::solving::layout_fields::{MeshFields, mesh_fields};
@@ -20,8 +22,12 @@ use crate::score::map_slopes::MapSlopes;
 use documents::study::Study;
 use documents::study::plan::Plan;
 use layouts::arrangement::FilmKind;
+use layouts::field::film_field::DepthFields;
+use layouts::field::response_surface::Drawn;
 use layouts::ranking::asked_layouts::AskedLayout;
-use results::{GradedNote, LayoutFindings, LayoutScore, RankedLayout, StudyResult, Topic};
+use results::{
+    ContactFindings, GradedNote, LayoutFindings, LayoutScore, RankedLayout, StudyResult, Topic,
+};
 
 const ORDER_NOTE: &str = "Layouts are in the order of their simulated error (95th percentile at the worst load) times the root of the number of films; their \
      Cramer-Rao bounds are lower, and far lower where two places look alike.";
@@ -107,6 +113,11 @@ pub(crate) fn both_meshes<'s>(
     if study.layouts.shear && answers[0].is_ok() {
         drag(&mut answers, scenes, asked, means, &mut place, context)?;
     }
+    let contacts = ContactScenes::of(scenes, &study.layouts.contacts);
+    let judged = match contacts.filter(|_| answers[0].is_ok()) {
+        Some(contacts) => differ(&mut answers, &contacts, asked, means, &mut place, context)?,
+        None => None,
+    };
     let fine = answers.remove(0).map(|answer| answer.fields);
     let coarse = coarser.and_then(|coarser| Some((answers.pop()?.ok()?.fields, coarser)));
     let answer = fine.map(|fine| Answer {
@@ -114,6 +125,7 @@ pub(crate) fn both_meshes<'s>(
         scenes,
         fine,
         coarse,
+        contacts: judged,
     });
     Ok((answer, place.first - first))
 }
@@ -130,6 +142,8 @@ struct MeshAnswer {
     /// Kinds of film, with their volts where they are glued.
     kinds: Vec<FilmKind>,
     fields: MeshFields,
+    /// Outcomes of its loads.
+    pressed: Vec<Outcome>,
 }
 
 /// Answer of one mesh whose loads were solved; films glued on are solved now, and the place moves behind their points. Without the first load there is nothing to
@@ -162,6 +176,7 @@ fn mesh_answer(
         level,
         kinds,
         fields,
+        pressed,
     }))
 }
 
@@ -184,6 +199,60 @@ fn drag(
         add_shear(&mut answer.fields, scenes, &answer.kinds, dragged);
     }
     Ok(())
+}
+
+/// Adds the response surface over contacts as they come, on all meshes that have fields, and says how far the finer one's is off; the place moves behind its
+/// points. A mesh without it has no fields any more: its scores would be those of other contacts.
+fn differ(
+    answers: &mut [Result<MeshAnswer, String>],
+    contacts: &ContactScenes<'_>,
+    asked: &Asked,
+    means: &[f64],
+    place: &mut Place,
+    context: RunContext<'_>,
+) -> Result<Option<ContactFindings>, RunError> {
+    let kinds = asked.kinds.all();
+    let mut series = Vec::new();
+    for (mesh, answer) in answers.iter().enumerate() {
+        if let Ok(answer) = answer {
+            series.extend(contacts.series(answer.level, kinds));
+            series.extend((mesh == 0).then(|| contacts.check_series(answer.level, kinds)));
+        }
+    }
+    let mut solved = outcomes_of_all(&series, means, place, context)?.into_iter();
+    let mut findings = None;
+    for (mesh, slot) in answers.iter_mut().enumerate() {
+        let Ok(answer) = slot else {
+            continue;
+        };
+        let of_axes: Result<Vec<_>, String> = solved.by_ref().take(contacts.axes.len()).collect();
+        let checks = (mesh == 0).then(|| solved.next()).flatten();
+        let own = SolvedContacts {
+            scenes: contacts,
+            kinds: &answer.kinds,
+            usual: &answer.pressed,
+            fields: &answer.fields.fields,
+        };
+        match of_axes.and_then(|of_axes| own.surface(&of_axes)) {
+            Ok(surface) => {
+                let found = checks.map(|checks| own.findings(&surface, &checks?));
+                findings = findings.or(found);
+                answer.fields.fields = DepthFields::over_contacts(surface, Drawn::All);
+            }
+            Err(reason) => *slot = Err(format!("Layouts have no scores: {reason}.")),
+        }
+    }
+    Ok(match findings {
+        Some(Ok(findings)) => Some(findings),
+        Some(Err(reason)) => {
+            let reason = format!("The surface over contacts has no error: {reason}.");
+            answers.iter_mut().take(1).flatten().for_each(|answer| {
+                answer.fields.reasons.push(reason.clone());
+            });
+            None
+        }
+        None => None,
+    })
 }
 
 /// Solves these scenes, or says why nothing came of them; the place moves behind their points.

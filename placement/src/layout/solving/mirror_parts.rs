@@ -93,20 +93,48 @@ pub(crate) fn part(
     })
 }
 
-/// The lines of [`readout`] from those of [`mirrored`].
-pub(crate) fn own_rings(kinds: &[FilmKind], rings: &[Ring]) -> Option<Vec<Ring>> {
+/// The lines of [`readout`] from those of [`mirrored`], of the field's image before and behind, and left and right.
+pub(crate) fn image(
+    kinds: &[FilmKind],
+    [aft, left]: [bool; 2],
+    rings: &[Ring],
+) -> Option<Vec<Ring>> {
     let read = mirrored(kinds).rings;
+    // Both images of a direction at angle a are at -a: twice mirrored it is itself.
+    let turn = if aft == left { 1.0 } else { -1.0 };
     let own = |line: &RingLine| {
+        let section_deg = if left {
+            0.0 - line.section_deg
+        } else {
+            line.section_deg
+        };
         let at = read
             .iter()
-            .position(|other| other.section_deg == line.section_deg)?;
-        let (of, ring) = (&read[at], rings.get(at)?);
-        let turned = line.turned_deg.iter();
+            .position(|other| other.section_deg == section_deg)?;
+        let of = (&read[at], rings.get(at)?);
+        let around = |angle_deg: f64| -> Option<Vec<f64>> {
+            let field = strains(of, turn * angle_deg)?;
+            let degree = |i: usize| {
+                if aft {
+                    (field.len() - i) % field.len()
+                } else {
+                    i
+                }
+            };
+            Some((0..field.len()).map(|i| field[degree(i)]).collect())
+        };
         Some(Ring {
-            turned: turned
-                .map(|angle| strains((of, ring), *angle).map(<[f64]>::to_vec))
+            section_deg: line.section_deg,
+            theta_deg: of.1.theta_deg.clone(),
+            strain: PerDirection {
+                x: around(0.0)?,
+                y: around(90.0)?,
+            },
+            turned: line
+                .turned_deg
+                .iter()
+                .map(|angle| around(*angle))
                 .collect::<Option<_>>()?,
-            ..ring.clone()
         })
     };
     readout(kinds).rings.iter().map(own).collect()
@@ -146,6 +174,11 @@ mod tests {
 
     /// The field with the ground shifted by [`SHIFT`] both ways, to second order.
     fn field(u: f64, phi: f64, angle: f64) -> f64 {
+        shifted(u, phi, angle, [1.0, 1.0])
+    }
+
+    /// The field with the ground shifted by [`SHIFT`] these ways.
+    fn shifted(u: f64, phi: f64, angle: f64, [x, y]: [f64; 2]) -> f64 {
         let [along, across] = slopes_of(u, phi, angle);
         let (sin_u, cos_u) = u.to_radians().sin_cos();
         let (sin_phi, cos_phi) = phi.to_radians().sin_cos();
@@ -153,7 +186,7 @@ mod tests {
         let still = cos_u * cos_phi + 3.0 * sin_u * sin_phi * turned;
         let mixed = sin_u * sin_phi + cos_u * cos_phi * turned;
         let squares = 2.0 * still;
-        still + SHIFT * (along + across) + SHIFT * SHIFT * (7.0 * mixed + squares)
+        still + SHIFT * (x * along + y * across) + SHIFT * SHIFT * (7.0 * x * y * mixed + squares)
     }
 
     fn ring(line: &RingLine) -> Ring {
@@ -199,6 +232,28 @@ mod tests {
                     let expected = slopes_of(i as f64 - 180.0, kind.phi_deg, kind.angle_deg)[axis];
                     // Round-off of values near 4 over the shift.
                     assert!((sample - expected).abs() < 1e-12, "{kind:?} {i}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn images_are_the_fields_of_opposite_shifts() {
+        let kinds = [(0.0, 0.0), (30.0, 90.0), (-30.0, 40.0), (0.0, 45.0)]
+            .map(|(phi_deg, angle_deg)| FilmKind::point(phi_deg, angle_deg));
+        let read = mirrored(&kinds).rings;
+        let rings: Vec<Ring> = read.iter().map(ring).collect();
+        for mirrors in [[false, false], [true, false], [false, true], [true, true]] {
+            let found = image(&kinds, mirrors, &rings).expect("all lines");
+            let signs = mirrors.map(|is_mirrored| if is_mirrored { -1.0 } else { 1.0 });
+            for kind in &kinds {
+                let samples = samples(&found, kind, &kinds).expect("a line");
+                for (u, sample) in (-180..180).zip(samples) {
+                    let expected = shifted(f64::from(u), kind.phi_deg, kind.angle_deg, signs);
+                    assert!(
+                        (sample - expected).abs() < 1e-12,
+                        "{mirrors:?} {kind:?} {u}"
+                    );
                 }
             }
         }

@@ -4,6 +4,7 @@
 //! - [`layout_scenes`]: a flat ground at every load
 //! - [`layout_fields`]: solved loads as fields; `glued_films`: what glued films make of the bare wall's strains
 //! - [`shear_fields`]: what a shift of the ground changes; [`mirror_parts`]: a field's parts that are even or odd in it
+//! - `contact_scenes`: contacts as they come; `contact_fields`: the response surface that they make
 //! - `searched_layouts`: the best layouts of so many films
 //! - `judged_layouts`: fields of two meshes to ranked layouts, on all threads
 //! - `input_shifts`: what the study's inputs do to the signals, and so to the angle
@@ -11,6 +12,8 @@
 //! - `measuring_layouts`: solves and fills in a study's result
 //! - `layout_workload`: what all that takes
 
+mod contact_fields;
+mod contact_scenes;
 pub(crate) mod glued_films;
 mod input_shifts;
 pub(crate) mod judged_layouts;

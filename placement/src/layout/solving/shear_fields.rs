@@ -23,10 +23,10 @@ pub(crate) fn add_shear(
 ) {
     match dragged {
         Ok(outcomes) => {
-            (fields.fields.sheared, fields.without_shear) = shear_fields(scenes, kinds, &outcomes);
+            (fields.fields.sheared, fields.reasons) = shear_fields(scenes, kinds, &outcomes);
         }
         Err(reason) => fields
-            .without_shear
+            .reasons
             .push(format!("The ground couldn't be dragged: {reason}")),
     }
 }

@@ -3,6 +3,7 @@
 mod mutated;
 
 use document::{Format, parse};
+use documents::parts::distribution_reader::distribution_value;
 use documents::study::{Accuracy, Study, presets};
 use serde_json::{Value, json};
 
@@ -239,7 +240,7 @@ fn every_law_reads_back_as_it_was_written() {
     ] {
         let document = with("/inputs/0/distribution", law.clone());
         let study = Study::from_value(&document, &|_| Err(String::new())).expect("no faults");
-        assert_eq!(study.inputs[0].distribution_value(), law);
+        assert_eq!(distribution_value(&study.inputs[0].distribution), law);
     }
     // On [0, 1] unless said otherwise; zero is then a stated end, and a depth that a scene takes.
     let document = with(

@@ -27,6 +27,8 @@ __all__ = [
     "ComparedLocation",
     "ComparedStudy",
     "ComparisonAnswer",
+    "ContactError",
+    "ContactFindings",
     "Cost",
     "CountForecast",
     "CutPoint",
@@ -507,6 +509,39 @@ class ComparisonFields:
     """Every location of every study that has a result, best first."""
     notes: tuple[str, ...]
     """Notes that the reader must know before believing the differences, whole sentences."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class ContactError:
+    """Simulated errors of contacts that differ from the usual one in a single quantity."""
+
+    of: str
+    """The quantity, as `layouts.contacts` names it; `noise`: none differs."""
+    words: str
+    """Name for people."""
+    p95_angle_error_deg: float
+    """95 % of contact angles are estimated better than this, degrees."""
+    force_error_n: float
+    """Error of the vertical force, root mean square, N."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class ContactFindings:
+    """Response surface of contacts as they come, and how far it is off at contacts that it hasn't seen."""
+
+    laws: tuple[str, ...]
+    """Quantities with what their laws reach from and to, in words."""
+    checks: int
+    """Contacts of all quantities at once by which it was judged."""
+    signal_error_rms: float
+    """Root mean square error of the signals there within 30 degrees of the contact, over the crown's largest at that
+    depth."""
+    signal_error_largest: float
+    """Largest error of a signal there, over the crown's largest."""
+    force_error_n: float
+    """Root mean square error of the vertical force there, N."""
+    short: tuple[str, ...] = ()
+    """Quantities whose laws reach beyond what could be solved, in words: what is drawn ends there."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -1434,6 +1469,8 @@ class LayoutFindings:
     """Coarser level that shows their errors."""
     loads: tuple[LayoutLoad, ...]
     """The loads at which layouts are scored."""
+    contacts: ContactFindings | None = None
+    """Contacts as they come, where the document has their laws."""
     menu: MenuFindings | None = None
     """Menu of layouts, where the document names none."""
     front: tuple[FrontLayout, ...]
@@ -1504,6 +1541,9 @@ class LayoutScore:
     """The two contacts, more than 20 degrees apart, that look most alike."""
     dead: DeadFilm | None = None
     """Score with the one film dead whose loss costs most, where that was asked for."""
+    contacts: tuple[ContactError, ...] = ()
+    """Errors of contacts that differ in nothing (`noise`) and in each quantity of `layouts.contacts` alone; absent
+    where contacts don't differ."""
     shear: ShearScore | None = None
     """Score with forces along and across the wheel unknown, too, where that was asked for."""
     noise_strain: float | None = None

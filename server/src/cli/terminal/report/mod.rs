@@ -4,6 +4,7 @@
 //! - `answer_text`: the answer, how sure it is, what could overturn it
 //! - `film_table`: films against errors
 //! - `ranked_table`, `layout_table`, `signal_table`: places, layouts, films' signals
+//! - `contact_table`: what contacts as they come do to the best layout
 //! - `forces_known`: what a virtual rig shows of layouts
 //! - `study_notes`: what to know, by what it does to the answer
 //! - `study_figures`: the way to the accuracy asked for, and what it all took
@@ -11,6 +12,7 @@
 //! - `shared_rank`: `2=`
 
 mod answer_text;
+mod contact_table;
 mod film_table;
 mod forces_known;
 mod layout_table;
@@ -32,6 +34,7 @@ pub fn report(result: &StudyResult) -> String {
         film_table::trade,
         ranked_table::ranked,
         layout_table::layouts,
+        contact_table::contacts,
         signal_table::signals,
         forces_known::forces,
         study_notes::notes,

@@ -49,6 +49,18 @@ test("errors of gains and places make bounds worse", () => {
   assert.ok(worst({ place_std_deg: 1 }) > 1.1 * worst({}));
 });
 
+test("contacts that differ make bounds worse as the noise would", () => {
+  const worst = (given: FilmFields): number => {
+    const [found] = layoutBounds(readyFields(given), evenly(18)) ?? [];
+    assert.ok(found !== undefined && "bounds" in found);
+    return found.bounds.worst_angle_deg;
+  };
+  const spread = fields();
+  // Three times the noise's variance, everywhere: twice its deviation.
+  for (const load of spread.loads) load.variances = [Array.from(bell, () => 3 * NOISE * NOISE)];
+  assert.ok(Math.abs(worst(spread) / worst(fields()) - 2) < 1e-9);
+});
+
 test("films that see nothing say where, and unknown kinds give nothing", () => {
   const ready = readyFields(fields());
   const [blind] = layoutBounds(ready, evenly(1)) ?? [];

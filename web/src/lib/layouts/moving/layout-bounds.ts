@@ -19,6 +19,8 @@ interface KindField {
   signal: Turn;
   /** Its derivative by the depth, 1/mm. */
   slope: Turn;
+  /** Its variance over contacts; none where they don't differ. */
+  spread: Turn | null;
 }
 
 /** Fields with all that doesn't depend on the layout done. */
@@ -41,7 +43,10 @@ export type LoadBounds = { load: FieldLoad } & ({ bounds: Bounds } | { blind_deg
 export function readyFields(fields: FilmFields): ReadyFields {
   const loads = fields.loads.map((load) => ({
     load,
-    kinds: load.signals.map((signal, k) => ({ signal: turnOf(signal), slope: turnOf(load.slopes_per_mm[k] ?? []) })),
+    kinds: load.signals.map((signal, k) => {
+      const spread = load.variances?.[k];
+      return { signal: turnOf(signal), slope: turnOf(load.slopes_per_mm[k] ?? []), spread: spread === undefined ? null : turnOf(spread) };
+    }),
   }));
   return { fields, loads };
 }
@@ -92,7 +97,8 @@ function deviations(films: readonly Laid[], noise: FilmFields["noise"], contact:
     const { value, slope } = curveAt(field.signal, apart);
     const [byAngle, byDepth] = [-slope, curveAt(field.slope, apart).value];
     const [ofGain, ofPlace] = [noise.gain_std * value, noise.place_std_deg * byAngle];
-    const variance = noise.floor * noise.floor + ofGain * ofGain + ofPlace * ofPlace;
+    const ofContacts = field.spread === null ? 0 : Math.max(0, curveAt(field.spread, apart).value);
+    const variance = noise.floor * noise.floor + ofGain * ofGain + ofPlace * ofPlace + ofContacts;
     angles += (byAngle * byAngle) / variance;
     both += (byDepth * byAngle) / variance;
     depths += (byDepth * byDepth) / variance;

@@ -1,6 +1,7 @@
 import { address } from "../../../api.ts";
 import { answersLayout } from "../../../lib/study/result-picks.ts";
 import type { LayoutFindings, StudyResult } from "../../../wire.ts";
+import { ContactsTable } from "./contacts-table.tsx";
 import { LayoutAnswer } from "./layout-answer.tsx";
 import { LayoutErrors } from "./layout-errors.tsx";
 import { RankedLayouts } from "./ranked-layouts.tsx";
@@ -21,6 +22,7 @@ export function LayoutsPanel({ result, findings }: { result: StudyResult; findin
         </p>
       ))}
       <LayoutErrors study={study.name} layouts={rows} loads={findings.loads} />
+      <ContactsTable best={rows[0]} contacts={findings.contacts} />
       <RankedLayouts layouts={rows} findings={findings} csv={csv} />
     </section>
   );

@@ -12,7 +12,6 @@ use fem_client::solver::Position;
 use serde_json::Value;
 
 use crate::layouts::film_place_reader::{direction, entries, film, section};
-use crate::layouts::film_size_reader::{check_film, check_sizes, read_films};
 use crate::layouts::layout_bounds::{
     GAIN, LONGEST_LAYOUT, MOST_ENTRIES, MOST_FILMS, MOST_FREE, MOST_LAYOUTS, MOST_LOADS,
     MOST_UNITS, PLACE, SHARE, SPACING, STRAIN, VOLTS,
@@ -20,9 +19,11 @@ use crate::layouts::layout_bounds::{
 use crate::layouts::layout_settings::{
     FreeLayout, LayoutLoads, Layouts, NoiseFloor, NoiseSettings,
 };
-use crate::layouts::limits_reader::gluing_limits;
-use crate::layouts::overlap_check::check_overlaps;
-use crate::layouts::search_reader::{check_places, search};
+use crate::layouts::reading::contact_reader::{check_contacts, contacts};
+use crate::layouts::reading::film_size_reader::{check_film, check_sizes, read_films};
+use crate::layouts::reading::limits_reader::gluing_limits;
+use crate::layouts::reading::overlap_check::check_overlaps;
+use crate::layouts::reading::search_reader::{check_places, search};
 use crate::parts::directions::Directions;
 use crate::parts::scene_number::of_scene;
 use document::typed::field_value::read_name;
@@ -65,6 +66,7 @@ pub(crate) fn layouts(
         "place_std_deg",
         "dead",
         "shear",
+        "contacts",
         "level",
         "search",
     ];
@@ -149,6 +151,7 @@ pub(crate) fn layouts(
         let detail = "is about an upright wheel: the scene's ground.camber_deg must be left out";
         Fault::add(faults, &fields.at("shear"), detail);
     }
+    layouts.contacts = contacts(&fields, faults);
     let free =
         |value: &Value, at: &str, faults: &mut Vec<Fault>| free_layout(value, at, scene, faults);
     if let Some((value, at)) = fields.get("free") {
@@ -156,6 +159,7 @@ pub(crate) fn layouts(
     }
     layouts.loads = loads(&fields, faults);
     layouts.noise = noise(&fields, faults);
+    check_contacts(&layouts, &fields, scene, faults);
     if has("level") {
         layouts.level = fields.choice("level", Level::CHOICES, Level::Coarse, faults);
     }

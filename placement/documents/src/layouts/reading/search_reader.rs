@@ -11,7 +11,7 @@ use serde_json::Value;
 use crate::layouts::film_place_reader::{direction, entries, section};
 use crate::layouts::layout_bounds::{MOST_ENTRIES, MOST_PLACES, MOST_SEARCHED, MOST_SLOTS};
 use crate::layouts::layout_settings::{Layouts, SearchSettings};
-use crate::layouts::limits_reader::gluing_limits;
+use crate::layouts::reading::limits_reader::gluing_limits;
 
 /// The layouts to search for, whose numbers of films are checked by [`check_places`]; `None` where the table asks for none, or has faults.
 pub(super) fn search(

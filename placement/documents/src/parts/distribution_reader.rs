@@ -8,7 +8,7 @@ use document::fields::{Fields, Range, alternatives, number, shown};
 use document::json_schema::{Properties, Schemas};
 use gsa::law::catalogue::{KINDS, Kind, Parameter};
 use gsa::law::distribution::{Distribution, DistributionError};
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 
 /// Parameters of any law; no field of a scene goes beyond 1e9.
 const PARAMETER: Range = Range::new(-1e12, 1e12, "");
@@ -55,6 +55,18 @@ pub(crate) fn read_distribution(
         .map_err(|errors| errors.into_iter().for_each(&mut add))
         .ok();
     law.filter(|_| faults.len() == before)
+}
+
+/// Writes a distribution as in a document.
+pub fn distribution_value(law: &Distribution) -> Value {
+    let mut value = Map::new();
+    value.insert("kind".to_owned(), law.kind().into());
+    let parameters = law.parameters().into_iter();
+    value.extend(parameters.map(|(name, x)| (name.to_owned(), x.into())));
+    if let Some((low, high)) = law.truncation() {
+        value.insert("truncate".to_owned(), json!([low, high]));
+    }
+    Value::Object(value)
 }
 
 /// The schema of a distribution: each kind with its parameters.

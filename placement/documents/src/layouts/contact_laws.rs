@@ -1,0 +1,178 @@
+//! Laws of what a contact is beside its angle and depth: the table `layouts.contacts`.
+
+use gsa::law::distribution::Distribution;
+use serde_json::{Map, Value};
+
+use document::fields::Range;
+
+use crate::layouts::layout_bounds::{CAMBER, PRESSURE_FACTOR, TRACTION, UNEVEN};
+use crate::parts::distribution_reader::distribution_value;
+
+/// Share of a law beyond either of its ends: nothing is drawn from there.
+const BEYOND: f64 = 1e-3;
+
+/// Quantity of a contact that layouts' estimates don't know.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ContactQuantity {
+    /// Inclination of the wheel, degrees.
+    Camber,
+    /// Force along the wheel over the vertical one.
+    Traction,
+    /// Force across the wheel over the vertical one.
+    SideTraction,
+    /// Depth of each station of the ground over the contact's, less one.
+    Uneven,
+    /// Internal pressure over the scene's.
+    Pressure,
+}
+
+impl ContactQuantity {
+    /// Quantities, all of them.
+    pub const ALL: [Self; 5] = [
+        Self::Camber,
+        Self::Traction,
+        Self::SideTraction,
+        Self::Uneven,
+        Self::Pressure,
+    ];
+
+    /// Returns its name in a document.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Camber => "camber_deg",
+            Self::Traction => "traction",
+            Self::SideTraction => "side_traction",
+            Self::Uneven => "uneven",
+            Self::Pressure => "pressure_factor",
+        }
+    }
+
+    /// Returns its name for people.
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::Camber => "camber",
+            Self::Traction => "traction",
+            Self::SideTraction => "side traction",
+            Self::Uneven => "uneven ground",
+            Self::Pressure => "pressure",
+        }
+    }
+
+    /// Value of the contact for which a scene is made: upright, not dragged, on flat ground, at the scene's pressure.
+    pub const fn usual(self) -> f64 {
+        match self {
+            Self::Pressure => 1.0,
+            _ => 0.0,
+        }
+    }
+
+    /// Values that it takes.
+    pub(super) const fn range(self) -> Range {
+        match self {
+            Self::Camber => CAMBER,
+            Self::Traction | Self::SideTraction => TRACTION,
+            Self::Uneven => UNEVEN,
+            Self::Pressure => PRESSURE_FACTOR,
+        }
+    }
+
+    /// Returns its description in a schema.
+    pub(super) const fn doc(self) -> &'static str {
+        match self {
+            Self::Camber => "Law of the wheel's inclination, degrees, within -30 to 30.",
+            Self::Traction => {
+                "Law of the force along the wheel over the vertical one, within four fifths of the friction."
+            }
+            Self::SideTraction => {
+                "Law of the force across the wheel over the vertical one, within four fifths of the friction."
+            }
+            Self::Uneven => {
+                "Law of each station's depth over the contact's, less one: independent of the others."
+            }
+            Self::Pressure => "Law of the internal pressure over the scene's.",
+        }
+    }
+
+    /// Whether it takes ground with friction.
+    pub(super) const fn needs_friction(self) -> bool {
+        matches!(self, Self::Traction | Self::SideTraction)
+    }
+}
+
+/// Law of one quantity.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ContactLaw {
+    /// Quantity that it is the law of.
+    pub quantity: ContactQuantity,
+    /// The law.
+    pub law: Distribution,
+}
+
+impl ContactLaw {
+    /// Least and largest value that are drawn: a thousandth of the law lies beyond either.
+    pub fn ends(&self) -> [f64; 2] {
+        [self.value_at(0.0), self.value_at(1.0)]
+    }
+
+    /// Value at a share of what is drawn, from 0 to 1.
+    pub fn value_at(&self, share: f64) -> f64 {
+        self.law.inverse_cdf(BEYOND + (1.0 - 2.0 * BEYOND) * share)
+    }
+
+    /// Returns what it is the law of, and what it reaches from and to, in words.
+    pub fn described(&self) -> String {
+        let [low, high] = self.ends();
+        let unit = match self.quantity {
+            ContactQuantity::Camber => " degrees",
+            _ => "",
+        };
+        format!("{} {low:.2} to {high:.2}{unit}", self.quantity.words())
+    }
+
+    /// Largest distance of a drawn value from the usual one.
+    pub fn reach(&self) -> f64 {
+        let apart = |end: f64| (end - self.quantity.usual()).abs();
+        let [low, high] = self.ends();
+        apart(low).max(apart(high))
+    }
+}
+
+/// Writes laws as the table in a document.
+pub(super) fn laws_value(laws: &[ContactLaw]) -> Value {
+    let entry = |law: &ContactLaw| {
+        let name = law.quantity.as_str().to_owned();
+        (name, distribution_value(&law.law))
+    };
+    Value::Object(laws.iter().map(entry).collect::<Map<_, _>>())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_law_is_drawn_but_for_its_ends() {
+        let law = |quantity, law: Result<Distribution, _>| ContactLaw {
+            quantity,
+            law: law.expect("a law"),
+        };
+        let camber = law(
+            ContactQuantity::Camber,
+            Distribution::uniform(-10.0, 5.0).map_err(|_| ()),
+        );
+        let [low, high] = camber.ends();
+        assert!((low + 9.985).abs() < 1e-12 && (high - 4.985).abs() < 1e-12);
+        assert!((camber.reach() - 9.985).abs() < 1e-12);
+        let pressure = law(
+            ContactQuantity::Pressure,
+            Distribution::uniform(0.9, 1.0).map_err(|_| ()),
+        );
+        assert!((pressure.reach() - 0.0999).abs() < 1e-12);
+        // Of a bell the reach is finite: 3.09 standard deviations.
+        let bell = law(
+            ContactQuantity::Uneven,
+            Distribution::normal(0.0, 0.1).map_err(|_| ()),
+        );
+        assert!((bell.reach() - 0.309_023).abs() < 1e-6);
+    }
+}

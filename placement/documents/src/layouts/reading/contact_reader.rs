@@ -1,0 +1,180 @@
+//! Reads the laws of contacts: the table `layouts.contacts`.
+
+// What users write is read here: nothing of it may end in a panic.
+#![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
+
+use document::fault::Fault;
+use document::fields::{Fields, plain};
+use fem_client::scene::Scene;
+
+use crate::layouts::contact_laws::{ContactLaw, ContactQuantity};
+use crate::layouts::layout_settings::{LayoutLoads, Layouts};
+use crate::parts::distribution_reader::read_distribution;
+
+/// Share of the friction up to which a contact may be dragged: beyond it most of it slides.
+const OF_FRICTION: f64 = 0.8;
+
+/// Reads the laws of `[layouts.contacts]`; none without the table.
+pub(super) fn contacts(fields: &Fields<'_>, faults: &mut Vec<Fault>) -> Vec<ContactLaw> {
+    let Some((value, pointer)) = fields.get("contacts") else {
+        return Vec::new();
+    };
+    let known = ContactQuantity::ALL.map(ContactQuantity::as_str);
+    let Some(table) = Fields::open(value, &pointer, &known, faults) else {
+        return Vec::new();
+    };
+    let mut law = |quantity: ContactQuantity| {
+        let (value, at) = table.get(quantity.as_str())?;
+        let law = read_distribution(value, &at, faults)?;
+        let law = ContactLaw { quantity, law };
+        check_range(&law, &at, faults).then_some(law)
+    };
+    let laws: Vec<ContactLaw> = ContactQuantity::ALL
+        .into_iter()
+        .filter_map(&mut law)
+        .collect();
+    if !known.into_iter().any(|name| table.get(name).is_some()) {
+        let detail = format!("must have a law of {}; it is empty", known.join(", "));
+        Fault::add(faults, &pointer, detail);
+    }
+    laws
+}
+
+fn check_range(law: &ContactLaw, at: &str, faults: &mut Vec<Fault>) -> bool {
+    let range = law.quantity.range();
+    let [low, high] = law.ends();
+    if range.low <= low && low < high && high <= range.high {
+        return true;
+    }
+    let detail = format!(
+        "must stay {range}, but for a thousandth at either end; it reaches from {} to {}",
+        plain(low),
+        plain(high)
+    );
+    Fault::add(faults, at, detail);
+    false
+}
+
+/// Checks that contacts of this scene can be as the laws say.
+pub(super) fn check_contacts(
+    layouts: &Layouts,
+    fields: &Fields<'_>,
+    scene: Option<&Scene>,
+    faults: &mut Vec<Fault>,
+) {
+    if layouts.contacts.is_empty() {
+        return;
+    }
+    let pointer = fields.at("contacts");
+    let mut add = |name: &str, detail: &str| {
+        let at = if name.is_empty() {
+            pointer.clone()
+        } else {
+            format!("{pointer}/{name}")
+        };
+        Fault::add(faults, &at, detail);
+    };
+    let mean_is_force = scene.is_some_and(|scene| scene.ground.load_n.is_some());
+    let by_force = match &layouts.loads {
+        LayoutLoads::Forces(_) => true,
+        LayoutLoads::Depths(_) => false,
+        LayoutLoads::Mean => mean_is_force,
+    };
+    if by_force {
+        add("", "are judged at depths: give layouts.depths_mm");
+    }
+    if layouts.shear {
+        add(
+            "",
+            "and layouts.shear are two models of forces along the ground: give one of them",
+        );
+    }
+    let Some(scene) = scene else {
+        return;
+    };
+    if scene.ground.is_dragged() {
+        add(
+            "",
+            "are about ground that isn't dragged: the scene's ground.shift_mm must be left out",
+        );
+    }
+    if scene.ground.leans() {
+        add(
+            "",
+            "are about an upright wheel: the scene's ground.camber_deg must be left out",
+        );
+    }
+    for law in &layouts.contacts {
+        let most = OF_FRICTION * scene.contact.friction;
+        if law.quantity.needs_friction() && law.reach() > most {
+            let detail = format!(
+                "must stay within {OF_FRICTION} of the scene's contact.friction, {}; it reaches {}",
+                plain(most),
+                plain(law.reach())
+            );
+            add(law.quantity.as_str(), &detail);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use document::Format;
+
+    use crate::study::Study;
+
+    fn faults(contacts: &str, rest: &str) -> String {
+        let text = format!(
+            "name = \"contacts\"\nscene = {{ preset = \"foot-tire\", contact = {{ friction = 0.5 }} }}\n[[inputs]]\nname = \"p\"\nvary = \"pressure.internal_mpa\"\ndistribution = {{ kind = \"uniform\", min = 0.01, max = 0.02 }}\n[layouts]\nunits = [6]\n{rest}\n[layouts.contacts]\n{contacts}"
+        );
+        match Study::from_document(&text, Format::Toml, &|path| Err(path.to_owned())) {
+            Ok(_) => String::new(),
+            Err(faults) => faults
+                .iter()
+                .map(|fault| format!("{}: {}\n", fault.pointer, fault.detail))
+                .collect(),
+        }
+    }
+
+    #[test]
+    fn laws_are_read_and_what_cannot_be_is_named() {
+        let even = |name: &str, low: f64, high: f64| {
+            format!("{name} = {{ kind = \"uniform\", min = {low}, max = {high} }}\n")
+        };
+        let all = even("camber_deg", -10.0, 10.0)
+            + &even("traction", -0.3, 0.3)
+            + &even("uneven", -0.3, 0.3);
+        assert_eq!(faults(&all, "depths_mm = [1]"), "");
+        for (contacts, rest, expected) in [
+            (
+                even("camber_deg", -31.0, 10.0),
+                "",
+                "/layouts/contacts/camber_deg: must stay from -30 to 30 degrees",
+            ),
+            (
+                even("traction", -0.3, 0.41),
+                "",
+                "/layouts/contacts/traction: must stay within 0.8 of the scene's contact.friction, 0.4",
+            ),
+            (
+                even("uneven", -0.3, 0.3),
+                "loads_n = [13]",
+                "/layouts/contacts: are judged at depths",
+            ),
+            (
+                even("uneven", -0.3, 0.3),
+                "shear = true",
+                "/layouts/contacts: and layouts.shear are two models",
+            ),
+            (even("wind", -0.3, 0.3), "", "/layouts/contacts/wind"),
+            (
+                String::new(),
+                "",
+                "/layouts/contacts: must have a law of camber_deg, traction",
+            ),
+        ] {
+            let found = faults(&contacts, rest);
+            assert!(found.contains(expected), "{found}");
+        }
+    }
+}

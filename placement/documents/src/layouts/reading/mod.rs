@@ -1,0 +1,11 @@
+//! Reads the table `layouts` of a study, with every fault at once.
+//!
+//! - `layout_reader`: the table itself; `search_reader`, `limits_reader` and `contact_reader`: tables in it
+//! - `film_size_reader`: how large films are, and whether they fit; [`overlap_check`]: layouts whose films overlap
+
+mod contact_reader;
+mod film_size_reader;
+pub(crate) mod layout_reader;
+mod limits_reader;
+pub mod overlap_check;
+mod search_reader;

@@ -1,0 +1,68 @@
+//! Contacts as they come, drawn by their laws: readings of a layout's films, and the force.
+
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
+
+use crate::field::film_field::LoadField;
+use crate::field::hermite::Turn;
+use crate::field::response_surface::Drawn;
+use crate::simulate::draws::Draws;
+use crate::simulate::normal_pairs::uniform;
+use crate::simulate::reading_likelihood::Likelihood;
+
+/// Stream of the seed from which contacts are drawn; readings' noise has the first.
+const STREAM: u64 = 1;
+
+/// Contacts at one depth.
+pub(super) struct DrawnContacts {
+    /// Fields at that depth.
+    field: LoadField,
+    /// Contacts that differ, one for each sample; none where none does.
+    differing: Vec<Differing>,
+}
+
+struct Differing {
+    force_n: f64,
+    /// Signals by kind of film.
+    signals: Vec<Turn>,
+}
+
+impl DrawnContacts {
+    /// Draws contacts at a depth, mm, the same for all layouts of one seed.
+    pub fn new(likelihood: &Likelihood, depth_mm: f64, (draws, drawn): (&Draws, Drawn)) -> Self {
+        let kinds = 0..likelihood.fields().signals.len();
+        let surface = likelihood.fields().contacts.iter();
+        let differing = surface.flat_map(|surface| {
+            let mut rng = ChaCha8Rng::seed_from_u64(draws.seed());
+            rng.set_stream(STREAM);
+            let kinds = kinds.clone();
+            (0..draws.most()).map(move |_| {
+                // What isn't asked for is drawn, too: the others stay as they are.
+                let shares: Vec<f64> = surface.laws_of_axes().map(|_| uniform(&mut rng)).collect();
+                let contact = surface.contact(depth_mm, &surface.drawn(&shares, drawn));
+                let signal = |kind| Turn::new(surface.signal(&contact, kind));
+                Differing {
+                    force_n: surface.force_n(&contact),
+                    signals: kinds.clone().map(signal).collect(),
+                }
+            })
+        });
+        Self {
+            differing: differing.collect(),
+            field: likelihood.field(depth_mm),
+        }
+    }
+
+    /// Signal in a sample of a kind of film.
+    pub fn signal(&self, sample: usize, kind: usize) -> &Turn {
+        match self.differing.get(sample) {
+            Some(own) => &own.signals[kind],
+            None => &self.field.kinds[kind].signal,
+        }
+    }
+
+    /// Vertical force of a sample, N; none where contacts don't differ.
+    pub fn force_n(&self, sample: usize) -> Option<f64> {
+        self.differing.get(sample).map(|own| own.force_n)
+    }
+}

@@ -1,0 +1,51 @@
+//! Layouts over contacts as they come, on the foot tire's own mesh.
+
+use crate::menu::solved;
+
+/// A camber and a traction: their contacts are solved on one side each, and read on the other by the mirror planes; the contacts of both at once that the surface is
+/// judged by lie on either side.
+#[test]
+fn contacts_as_they_come_are_solved_on_one_side_and_judged_on_both() {
+    let result = solved(
+        "name = \"contacts\"
+scene = { preset = \"foot-tire\", contact = { friction = 0.5 } }
+inputs = [{ name = \"P3\", vary = \"ground.depths_mm[2]\", distribution = { kind = \"uniform\", min = 0.7, max = 1.3 } }]
+method = { kind = \"mdrm\", nodes = 2, check_points = 0, seed = 1 }
+accuracy = { preset = \"draft\" }
+[layouts]
+depths_mm = [1]
+units = [12, 24]
+section_deg = [0, 45]
+directions = [[\"y\"]]
+[layouts.contacts]
+camber_deg = { kind = \"uniform\", min = -10, max = 10 }
+traction = { kind = \"uniform\", min = -0.2, max = 0.2 }
+",
+    );
+    // Flat ground at five depths; two steps of two quantities at the load and at both ends; three contacts of both at once.
+    assert_eq!(result.cost.layout_solves, 5 + 2 * 2 * 3 + 3);
+    let findings = result.layout_findings.expect("layouts");
+    let contacts = findings.contacts.expect("a surface");
+    assert_eq!(
+        contacts.laws,
+        ["camber -9.98 to 9.98 degrees", "traction -0.20 to 0.20"]
+    );
+    assert!(contacts.short.is_empty(), "{:?}", contacts.short);
+    // A wrong side would be off by the camber's whole effect: half of the crown's largest signal.
+    assert!(contacts.signal_error_rms < 0.03, "{contacts:?}");
+    assert!(contacts.force_error_n < 0.05 * 13.0, "{contacts:?}");
+    for layout in &result.layouts {
+        let score = &layout.score;
+        let of: Vec<&str> = score.contacts.iter().map(|own| own.of.as_str()).collect();
+        assert_eq!(of, ["noise", "camber_deg", "traction"]);
+        let [noise, camber, _] = score.contacts.as_slice() else {
+            panic!("{layout:?}");
+        };
+        // A camber that isn't known adds to the force's error, whatever the layout.
+        assert!(camber.force_error_n > noise.force_error_n, "{layout:?}");
+        assert!(
+            score.force_error_n > Some(noise.force_error_n),
+            "{layout:?}"
+        );
+    }
+}

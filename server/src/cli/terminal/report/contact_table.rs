@@ -1,0 +1,65 @@
+//! Errors of the best layout by contacts as they come, for people.
+
+use std::fmt::Write;
+
+use document::visible::visible;
+use results::{RankedLayout, StudyResult};
+
+use crate::cli::terminal::paint::{FAINT, HEADER, painted};
+use crate::cli::terminal::report::layout_table::{NAMED, described};
+use crate::cli::terminal::wrapping::{labelled, wrapped};
+
+/// Errors of the best layout by each quantity alone, and how far the surface is off; nothing where contacts don't differ.
+pub(super) fn contacts(result: &StudyResult) -> String {
+    let findings = result.layout_findings.as_ref();
+    let Some(findings) = findings.and_then(|findings| findings.contacts.as_ref()) else {
+        return String::new();
+    };
+    let over = format!("errors are over {}", findings.laws.join(", "));
+    let mut text = format!("\n{}", labelled(HEADER, "contacts", &visible(&over)));
+    if let Some(best) = result.layouts.first() {
+        text.push_str(&by_quantity(best));
+    }
+    let surface = format!(
+        "Signals of contacts are off by {:.1} % of the crown's largest, root mean square, and by {:.0} % at most; forces by {:.2} N: at {} contacts of all at once, which they weren't made from.",
+        100.0 * findings.signal_error_rms,
+        100.0 * findings.signal_error_largest,
+        findings.force_error_n,
+        findings.checks
+    );
+    text.push_str(&wrapped(&surface, 0));
+    for short in &findings.short {
+        let short = format!("Drawn no further than could be solved: {short}.");
+        text.push_str(&painted(FAINT, wrapped(&visible(&short), 0)));
+    }
+    text
+}
+
+fn by_quantity(best: &RankedLayout) -> String {
+    let head = format!("the first layout, {}", described(best));
+    let mut text = format!("{head:<NAMED$}  angle, 95 %, deg  force, rms, N\n");
+    let mut row = |words: &str, angle: Option<f64>, force: Option<f64>| {
+        let shown = |figure: Option<f64>| figure.map_or("-".to_owned(), |x| format!("{x:.2}"));
+        let (angle, force) = (shown(angle), shown(force));
+        let _ = writeln!(
+            text,
+            "      {words:<width$}  {angle:>16}  {force:>13}",
+            width = NAMED - 6
+        );
+    };
+    for own in &best.score.contacts {
+        let alone = format!("{} alone", visible(&own.words));
+        row(
+            &alone,
+            Some(own.p95_angle_error_deg),
+            Some(own.force_error_n),
+        );
+    }
+    let score = &best.score;
+    row(
+        "all",
+        score.simulated_p95_angle_error_deg,
+        score.force_error_n,
+    );
+    text
+}
