@@ -69,7 +69,9 @@ test("layouts are answered in a sentence, drawn over their units, and listed", {
   const digits = (value) => String(Number(value.toPrecision(Math.max(2, Math.floor(Math.log10(value)) + 1))));
   assert.match(first, new RegExp(`${best.film_count} films along .* at the ${best.position}, .* every [\\d.]+°`));
   assert.ok(first.includes(`the contact angle to ${digits(best.score.simulated_p95_angle_error_deg)}`), first);
-  assert.ok(first.includes(`as force ${digits(best.score.force_error_n)} N`), first);
+  const atLoads = layouts[0].loads.map((load) => load.score.force_error_n);
+  assert.equal(best.worst_force.error_n, Math.max(...atLoads));
+  assert.ok(first.includes(`the vertical force to ${digits(best.worst_force.error_n)}`), first);
   assert.match(
     papers,
     /The paper's layout, 12 films along x and y at the crown, a pair every 60°, ranks \d+ of \d+: it would know the contact angle to [\d.]+/,

@@ -2320,6 +2320,17 @@ export interface components {
             doubt?: string | null;
             /** @description Scores at the load where the angle's error is largest. */
             score: components["schemas"]["LayoutScore"];
+            /**
+             * Format: double
+             * @description Load of these scores, N.
+             */
+            worst_load_n?: number | null;
+            worst_force?: components["schemas"]["WorstForce"] | null;
+            /**
+             * @description Errors of contacts that differ in nothing and in each quantity of `layouts.contacts` alone, each at the load where it is largest; absent where contacts don't
+             *     differ.
+             */
+            contacts?: components["schemas"]["ContactError"][];
             /** @description Scores at every load. */
             loads: components["schemas"]["LoadScore"][];
             error_sources?: components["schemas"]["ErrorSources"] | null;
@@ -3816,6 +3827,24 @@ export interface components {
              * @description Root of the mean squared error of rows with a contact there, N.
              */
             rmse_n: number;
+        };
+        /** @description Error of the vertical force at the load where it is largest. */
+        WorstForce: {
+            /**
+             * Format: double
+             * @description The error, root mean square over contacts, N.
+             */
+            error_n: number;
+            /**
+             * Format: double
+             * @description Claimed error of that, N; null where there is no coarser mesh.
+             */
+            claim_n?: number | null;
+            /**
+             * Format: double
+             * @description The load, N.
+             */
+            load_n?: number | null;
         };
         /** @description Recording without load, or nothing, which forgets an earlier zero. */
         ZeroDocument: {
@@ -5840,6 +5869,7 @@ export type TrialError = components['schemas']['TrialError'];
 export type Verdict = components['schemas']['Verdict'];
 export type WheelRing = components['schemas']['WheelRing'];
 export type WorstContact = components['schemas']['WorstContact'];
+export type WorstForce = components['schemas']['WorstForce'];
 export type ZeroDocument = components['schemas']['ZeroDocument'];
 export type ChangedSceneDocument = components['schemas']['ChangedSceneDocument'];
 export type GeometryDocument = components['schemas']['GeometryDocument'];
@@ -5999,7 +6029,7 @@ export const LAYOUTS_COLUMNS = {
   films: {"at":"/layout/films","kind":"text","title":"films","digits":2,"description":"Directions of the films of each unit: `x`, `y`, or an angle such as `45`."},
   weakest_signal_strain: {"at":"/layout/score/weakest_signal","kind":"float","unit":"1","of_unit":"strain","title":"weakest signal strain","digits":2,"description":"Signal of the film that sees most, strain or volts of a glued one, at the contact angle where that is least."},
   weakest_signal_v: {"at":"/layout/score/weakest_signal","kind":"float","unit":"V","of_unit":"V","title":"weakest signal v","digits":2,"description":"Signal of the film that sees most, strain or volts of a glued one, at the contact angle where that is least."},
-  worst_angle_error_deg: {"at":"/layout/score/worst_angle_error_deg","kind":"float","unit":"deg","title":"angle bound","digits":2,"view":"ranked","description":"Cramer-Rao bound of the contact angle, worst angle, degrees."},
+  worst_angle_error_deg: {"at":"/layout/score/worst_angle_error_deg","kind":"float","unit":"deg","title":"angle bound","digits":2,"view":"bound","description":"Cramer-Rao bound of the contact angle, worst angle, degrees."},
   rms_angle_error_deg: {"at":"/layout/score/rms_angle_error_deg","kind":"float","unit":"deg","title":"rms angle error deg","digits":2,"description":"Cramer-Rao bound of the contact angle, root mean square over the angles, degrees."},
   worst_depth_error_mm: {"at":"/layout/score/worst_depth_error_mm","kind":"float","unit":"mm","title":"worst depth error mm","digits":2,"description":"Cramer-Rao bound of a uniform depth, worst angle, mm."},
   noise_strain: {"at":"/layout/score/noise_strain","kind":"float","unit":"1","title":"noise strain","digits":2,"description":"Noise of each film assumed for the bounds, strain; null of glued films."},
@@ -6015,7 +6045,7 @@ export const LAYOUTS_COLUMNS = {
   simulated_p95_error_deg: {"at":"/layout/score/error/simulated_p95_angle_error_deg","kind":"float","unit":"deg","title":"simulated p95 error deg","digits":2,"description":"Error of the simulated 95th percentile, degrees."},
   lost_share: {"at":"/layout/score/lost_share","kind":"share","unit":"1","title":"lost","digits":1,"view":"ranked","description":"Share of simulated contacts that are off by more than 20 degrees."},
   simulated_rms_depth_error_mm: {"at":"/layout/score/simulated_rms_depth_error_mm","kind":"float","unit":"mm","title":"simulated rms depth error mm","digits":2,"description":"Error of the depth as estimated, root mean square, mm."},
-  force_error_n: {"at":"/layout/score/force_error_n","kind":"float","unit":"N","title":"force, by depth","digits":2,"view":"ranked","description":"Error of the depth as a vertical force, N: by the slope of force over depth."},
+  force_error_n: {"at":"/layout/score/force_error_n","kind":"float","unit":"N","title":"force error n","digits":2,"description":"Error of the depth as a vertical force, N: by the slope of force over depth."},
   alike_sigmas: {"at":"/layout/score/alike/sigmas","kind":"float","unit":"1","title":"most alike, sigmas","digits":1,"view":"alike","description":"Distance of their readings in standard deviations of the noise."},
   worst_angle_mesh_error_deg: {"at":"/layout/score/error/worst_angle_error_deg","kind":"float","unit":"deg","title":"worst angle mesh error deg","digits":2,"description":"Error of the bound of the angle, worst angle, degrees."},
   doubt: {"at":"/layout/doubt","kind":"text","title":"doubt","digits":2,"description":"Figures that may be off by more than a fifth, in words."},
@@ -6026,6 +6056,9 @@ export const LAYOUTS_COLUMNS = {
   shear_reason: {"at":"/layout/score/shear/reason","kind":"text","title":"shear reason","digits":2,"description":"Quantity that can't be told, in words."},
   dead_p95_angle_error_deg: {"at":"/layout/score/dead/simulated_p95_angle_error_deg","kind":"float","unit":"deg","title":"angle, 95 %, one dead","digits":2,"view":"dead","description":"Simulated 95th percentile of the angle's error without it, degrees."},
   turn_deg: {"at":"/layout/turn_deg","kind":"float","unit":"deg","title":"turn deg","digits":2,"description":"Angle of the first unit from the mark, degrees, where no film may lie there; absent of 0."},
+  worst_load_n: {"at":"/layout/worst_load_n","kind":"float","unit":"N","title":"worst load","digits":1,"view":"bound","description":"Load of these scores, N."},
+  worst_force_error_n: {"at":"/layout/worst_force/error_n","kind":"float","unit":"N","title":"force, rms","digits":2,"error_at":"/layout/worst_force/claim_n","view":"ranked","description":"The error, root mean square over contacts, N."},
+  worst_force_load_n: {"at":"/layout/worst_force/load_n","kind":"float","unit":"N","title":"worst force load n","digits":2,"description":"The load, N."},
 } as const;
 
 /** Columns of trade. */

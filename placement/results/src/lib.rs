@@ -39,7 +39,7 @@ pub use layout_findings::{
 };
 pub use ranked_layout::{
     AlikeContacts, ContactError, DeadFilm, ErrorSources, LayoutError, LayoutScore, LoadScore,
-    RankedLayout, ShearError, ShearScore,
+    RankedLayout, ShearError, ShearScore, WorstForce,
 };
 pub use ranked_location::RankedLocation;
 use serde::{Deserialize, Serialize};

@@ -40,6 +40,16 @@ pub struct RankedLayout {
     pub doubt: Option<String>,
     /// Scores at the load where the angle's error is largest.
     pub score: LayoutScore,
+    /// Load of these scores, N.
+    #[serde(default)]
+    pub worst_load_n: Option<f64>,
+    /// Error of the vertical force at the load where that is largest; absent of a layout without scores.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub worst_force: Option<WorstForce>,
+    /// Errors of contacts that differ in nothing and in each quantity of `layouts.contacts` alone, each at the load where it is largest; absent where contacts don't
+    /// differ.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub contacts: Vec<ContactError>,
     /// Scores at every load.
     pub loads: Vec<LoadScore>,
     /// Noise and inputs as sources of the angle's error; absent where the study has no map, and of films that the map doesn't show.
@@ -50,7 +60,46 @@ pub struct RankedLayout {
     pub force_error: Option<Vec<ForceError>>,
 }
 
+/// Error of the vertical force at the load where it is largest.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
+pub struct WorstForce {
+    /// The error, root mean square over contacts, N.
+    pub error_n: f64,
+    /// Claimed error of that, N; null where there is no coarser mesh.
+    pub claim_n: Option<f64>,
+    /// The load, N.
+    pub load_n: Option<f64>,
+}
+
 impl RankedLayout {
+    /// Errors of contacts by quantity, each at the load where it is largest, of its scores.
+    pub fn largest_contact_errors(&self) -> Vec<ContactError> {
+        let mut largest: Vec<ContactError> = Vec::new();
+        for own in self.loads.iter().flat_map(|load| &load.score.contacts) {
+            match largest.iter_mut().find(|known| known.of == own.of) {
+                None => largest.push(own.clone()),
+                Some(known) => {
+                    known.p95_angle_error_deg =
+                        known.p95_angle_error_deg.max(own.p95_angle_error_deg);
+                    known.force_error_n = known.force_error_n.max(own.force_error_n);
+                }
+            }
+        }
+        largest
+    }
+
+    /// Error of the vertical force at the load where it is largest, of its scores.
+    pub fn largest_force_error(&self) -> Option<WorstForce> {
+        let at_loads = self.loads.iter().filter_map(|load| {
+            Some(WorstForce {
+                error_n: load.score.force_error_n?,
+                claim_n: load.score.error.and_then(|error| error.force_error_n),
+                load_n: load.load_n,
+            })
+        });
+        at_loads.max_by(|a, b| a.error_n.total_cmp(&b.error_n))
+    }
+
     /// Whether both are names of one layout, whatever is known of it.
     pub fn is_same(&self, other: &Self) -> bool {
         let label = |layout: &Self| {

@@ -44,10 +44,11 @@ pub(super) fn best_place(
         let names: Vec<&str> = of_rank.map(|(l, _)| l.name.as_str()).collect();
         (names, standing)
     });
+    let is_alone = others.is_empty();
     let reason = reason(&judged, (&mirrored, first), compared, directions);
     let (direction, index, error) = larger_index(best, directions)?;
     Some(PlaceAnswer {
-        sentence: sentence(&mirrored, &names, direction, index, error),
+        sentence: sentence((&mirrored, is_alone), &names, direction, index, error),
         names: names.into_iter().map(str::to_owned).collect(),
         direction: direction.as_str().to_owned(),
         index: index / 100.0,
@@ -89,13 +90,18 @@ fn larger_index(
 }
 
 fn sentence(
-    mirrored: &[&str],
+    (mirrored, is_alone): (&[&str], bool),
     names: &[&str],
     direction: Direction,
     index: f64,
     error: Option<f64>,
 ) -> String {
-    let matter = if names.len() == 1 { "tells" } else { "tell" };
+    let matter = match (is_alone, names.len()) {
+        (true, 1) => "is all that is ranked",
+        (true, _) => "are all that is ranked",
+        (false, 1) => "tells most",
+        (false, _) => "tell most",
+    };
     let tied = match names.len() > mirrored.len() {
         true => ", and the errors can't tell them apart",
         false => "",
@@ -111,7 +117,7 @@ fn sentence(
         ""
     };
     format!(
-        "{} {matter} most{tied}: {depth} {share} %{unsure} of the variance of the {direction} {QUANTITY} at the contact centre.",
+        "{} {matter}{tied}: {depth} {share} %{unsure} of the variance of the {direction} {QUANTITY} at the contact centre.",
         listed(names)
     )
 }
@@ -199,6 +205,21 @@ mod tests {
         assert_eq!(
             place.sentence,
             "P2 and P4 tell most: the depth below each of P2 and P4 makes 30.0 +- 2.0 % of the variance of the y strain at the contact centre."
+        );
+    }
+
+    /// A single depth that varies makes all of the variance, whatever the tire: that is no answer to where a film is best.
+    #[test]
+    fn a_place_without_a_rival_does_not_tell_most() {
+        let place = best_place(
+            &[location("P3", 1, [100.0; 2], Some(0.0))],
+            Directions::Both,
+        );
+        let place = place.expect("a place");
+        assert_eq!(place.verdict, Certainty::Unknown);
+        assert_eq!(
+            place.sentence,
+            "P3 is all that is ranked: the depth below P3 makes 100 % of the variance of the x strain at the contact centre."
         );
     }
 

@@ -35,19 +35,15 @@ impl Figures {
     pub(crate) fn of(layout: &RankedLayout) -> Self {
         let error = layout.score.error.as_ref();
         let angle = layout.score.simulated_p95_angle_error_deg;
-        let at_loads = layout.loads.iter().filter_map(|load| {
-            let error = load.score.error.as_ref();
-            Some(Figure {
-                value: load.score.force_error_n?,
-                claim: error.and_then(|error| error.force_error_n),
-            })
-        });
         Self {
             angle: angle.map(|value| Figure {
                 value,
                 claim: error.and_then(|error| error.simulated_p95_angle_error_deg),
             }),
-            force: at_loads.max_by(|a, b| a.value.total_cmp(&b.value)),
+            force: layout.largest_force_error().map(|force| Figure {
+                value: force.error_n,
+                claim: force.claim_n,
+            }),
         }
     }
 

@@ -69,6 +69,9 @@ pub fn with_scores(
         .iter()
         .max_by(|a, b| p95(&a.score).total_cmp(&p95(&b.score)));
     label.score = worst.map_or_else(LayoutScore::default, |load| load.score.clone());
+    label.worst_load_n = worst.and_then(|load| load.load_n);
+    label.worst_force = label.largest_force_error();
+    label.contacts = label.largest_contact_errors();
     label.doubt = doubt(&label.score);
     label
 }
@@ -277,6 +280,7 @@ mod tests {
     use fem_client::scene::Level;
 
     use super::*;
+    use results::ContactError;
 
     fn layout(film_count: usize, p95: f64, error: f64) -> RankedLayout {
         RankedLayout {
@@ -292,6 +296,39 @@ mod tests {
             },
             ..RankedLayout::default()
         }
+    }
+
+    /// The angle is worst at the small load, the force at the large one, and so is what contacts do to each.
+    #[test]
+    fn each_error_is_told_at_its_own_worst_load() {
+        let load = |load_n: f64| LayoutLoad {
+            load_n: Some(load_n),
+            depth_mm: None,
+            force_slope_n_per_mm: None,
+            shear: None,
+            knees: Vec::new(),
+            reason: None,
+        };
+        let score = |angle: f64, force: f64| LayoutScore {
+            simulated_p95_angle_error_deg: Some(angle),
+            force_error_n: Some(force),
+            contacts: vec![ContactError {
+                of: "camber_deg".to_owned(),
+                words: "camber".to_owned(),
+                p95_angle_error_deg: angle / 2.0,
+                force_error_n: force / 2.0,
+            }],
+            ..LayoutScore::default()
+        };
+        let label = RankedLayout::default();
+        let scores = vec![score(9.0, 0.5), score(1.0, 3.0)];
+        let found = with_scores(label, &[load(5.0), load(33.0)], scores, None);
+        assert_eq!(found.worst_load_n, Some(5.0));
+        assert_eq!(found.score.force_error_n, Some(0.5));
+        let force = found.worst_force.expect("a force");
+        assert_eq!((force.error_n, force.claim_n, force.load_n), (3.0, None, Some(33.0)));
+        let camber = &found.contacts[0];
+        assert_eq!((camber.p95_angle_error_deg, camber.force_error_n), (4.5, 1.5));
     }
 
     #[test]

@@ -73,7 +73,7 @@ pub fn layouts() -> Table {
             "/layout/score/worst_angle_error_deg",
         )
         .titled("angle bound", 2)
-        .in_view("ranked"),
+        .in_view("bound"),
         Column::float("rms_angle_error_deg", "/layout/score/rms_angle_error_deg"),
         Column::float("worst_depth_error_mm", "/layout/score/worst_depth_error_mm"),
         Column::float("noise_strain", "/layout/score/noise_strain"),
@@ -111,9 +111,7 @@ pub fn layouts() -> Table {
             "simulated_rms_depth_error_mm",
             "/layout/score/simulated_rms_depth_error_mm",
         ),
-        Column::float("force_error_n", "/layout/score/force_error_n")
-            .titled("force, by depth", 2)
-            .in_view("ranked"),
+        Column::float("force_error_n", "/layout/score/force_error_n"),
         Column::float("alike_sigmas", "/layout/score/alike/sigmas")
             .titled("most alike, sigmas", 1)
             .in_view("alike"),
@@ -159,6 +157,14 @@ pub fn layouts() -> Table {
         .in_view("dead")
         .unexported(),
         Column::float("turn_deg", "/layout/turn_deg"),
+        Column::float("worst_load_n", "/layout/worst_load_n")
+            .titled("worst load", 1)
+            .in_view("bound"),
+        Column::float("worst_force_error_n", "/layout/worst_force/error_n")
+            .titled("force, rms", 2)
+            .in_view("ranked")
+            .with_error("/layout/worst_force/claim_n"),
+        Column::float("worst_force_load_n", "/layout/worst_force/load_n"),
     ];
     Table {
         name: "layouts",

@@ -145,6 +145,7 @@ __all__ = [
     "TrialError",
     "WheelRing",
     "WorstContact",
+    "WorstForce",
 ]
 
 ComparisonTable = Literal["locations", "designs"]
@@ -1400,6 +1401,13 @@ class Layout:
     """Figures that may be off by more than a fifth, in words."""
     score: LayoutScore
     """Scores at the load where the angle's error is largest."""
+    worst_load_n: float | None = None
+    """Load of these scores, N."""
+    worst_force: WorstForce | None = None
+    """Error of the vertical force at the load where that is largest; absent of a layout without scores."""
+    contacts: tuple[ContactError, ...] = ()
+    """Errors of contacts that differ in nothing and in each quantity of `layouts.contacts` alone, each at the load
+    where it is largest; absent where contacts don't differ."""
     loads: tuple[LoadScore, ...]
     """Scores at every load."""
     error_sources: ErrorSources | None = None
@@ -2857,6 +2865,18 @@ class WorstContact:
     """Root of the mean squared error of rows with a contact there, N."""
 
 
+@dataclass(frozen=True, kw_only=True)
+class WorstForce:
+    """Error of the vertical force at the load where it is largest."""
+
+    error_n: float
+    """The error, root mean square over contacts, N."""
+    claim_n: float | None = None
+    """Claimed error of that, N; None where there is no coarser mesh."""
+    load_n: float | None = None
+    """The load, N."""
+
+
 COLUMNS: dict[str, list[tuple[str, str, str | None]]] = {
     "indices": [
         ("location", "/output/location", None),
@@ -2926,6 +2946,9 @@ COLUMNS: dict[str, list[tuple[str, str, str | None]]] = {
         ("shear_force_z_error_n", "/layout/score/shear/worst_force_error_n/2", None),
         ("shear_reason", "/layout/score/shear/reason", None),
         ("turn_deg", "/layout/turn_deg", None),
+        ("worst_load_n", "/layout/worst_load_n", None),
+        ("worst_force_error_n", "/layout/worst_force/error_n", None),
+        ("worst_force_load_n", "/layout/worst_force/load_n", None),
     ],
     "trade": [
         ("film_count", "/trade/film_count", None),

@@ -17,8 +17,16 @@ pub(super) fn contacts(result: &StudyResult) -> String {
     };
     let over = format!("errors are over {}", findings.laws.join(", "));
     let mut text = format!("\n{}", labelled(HEADER, "contacts", &visible(&over)));
-    if let Some(best) = result.layouts.first() {
-        text.push_str(&by_quantity(best));
+    let rank = result
+        .answer
+        .as_ref()
+        .and_then(|answer| Some(answer.layout.as_ref()?.rank));
+    let answers = result
+        .layouts
+        .iter()
+        .find(|layout| Some(layout.rank) == rank);
+    if let Some(layout) = answers.or(result.layouts.first()) {
+        text.push_str(&by_quantity(layout));
     }
     let surface = format!(
         "Signals of contacts are off by {:.1} % of the crown's largest, root mean square, and by {:.0} % at most; forces by {:.2} N: at {} contacts of all at once, which they weren't made from.",
@@ -35,8 +43,8 @@ pub(super) fn contacts(result: &StudyResult) -> String {
     text
 }
 
-fn by_quantity(best: &RankedLayout) -> String {
-    let head = format!("the first layout, {}", described(best));
+fn by_quantity(layout: &RankedLayout) -> String {
+    let head = format!("{}, each at its worst load", described(layout));
     let mut text = format!("{head:<NAMED$}  angle, 95 %, deg  force, rms, N\n");
     let mut row = |words: &str, angle: Option<f64>, force: Option<f64>| {
         let shown = |figure: Option<f64>| figure.map_or("-".to_owned(), |x| format!("{x:.2}"));
@@ -47,7 +55,7 @@ fn by_quantity(best: &RankedLayout) -> String {
             width = NAMED - 6
         );
     };
-    for own in &best.score.contacts {
+    for own in &layout.contacts {
         let alone = format!("{} alone", visible(&own.words));
         row(
             &alone,
@@ -55,11 +63,7 @@ fn by_quantity(best: &RankedLayout) -> String {
             Some(own.force_error_n),
         );
     }
-    let score = &best.score;
-    row(
-        "all",
-        score.simulated_p95_angle_error_deg,
-        score.force_error_n,
-    );
+    let force = layout.worst_force.map(|force| force.error_n);
+    row("all", layout.score.simulated_p95_angle_error_deg, force);
     text
 }

@@ -1,14 +1,14 @@
-import { short } from "../../../lib/layouts/layout-words.ts";
+import { layoutWords, short } from "../../../lib/layouts/layout-words.ts";
 import type { ContactFindings, RankedLayout } from "../../../wire.ts";
 import { ScrollTable, words } from "../../shared/scroll-table.tsx";
 
-/** What contacts as they come do to the best layout: each quantity alone, and all of them. */
-export function ContactsTable({ best, contacts }: { best: RankedLayout | undefined; contacts: ContactFindings | null | undefined }) {
-  const alone = best?.score.contacts ?? [];
-  if (best === undefined || contacts == null || alone.length === 0) return null;
+/** What contacts as they come do to a layout: each quantity alone, and all of them, at the load where that is worst. */
+export function ContactsTable({ layout, contacts }: { layout: RankedLayout | undefined; contacts: ContactFindings | null | undefined }) {
+  const alone = layout?.contacts ?? [];
+  if (layout === undefined || contacts == null || alone.length === 0) return null;
   return (
     <>
-      <h3>What makes the best layout's error</h3>
+      <h3>What makes the error of {layoutWords(layout)}</h3>
       <ScrollTable name="Errors by contacts" columns={[words("Contacts that differ in"), "Angle, 95 %, °", "Force, rms, N"]}>
         <tbody>
           {alone.map((own) => (
@@ -19,13 +19,13 @@ export function ContactsTable({ best, contacts }: { best: RankedLayout | undefin
               force={own.force_error_n}
             />
           ))}
-          <Row of="all of it" angle={best.score.simulated_p95_angle_error_deg} force={best.score.force_error_n} />
+          <Row of="all of it" angle={layout.score.simulated_p95_angle_error_deg} force={layout.worst_force?.error_n} />
         </tbody>
       </ScrollTable>
       <p class="quiet">
-        Errors are over {contacts.laws.join(", ")}; the estimate knows their laws, not their values. Signals of contacts come from few solves: they are off by{" "}
-        {short(100 * contacts.signal_error_rms)} % of the crown's largest, root mean square, and by {short(100 * contacts.signal_error_largest)} % at most, at{" "}
-        {contacts.checks} contacts that they weren't made from.
+        Each at the load where it is worst. Errors are over {contacts.laws.join(", ")}; the estimate knows their laws, not their values. Signals of contacts
+        come from few solves: they are off by {short(100 * contacts.signal_error_rms)} % of the crown's largest, root mean square, and by{" "}
+        {short(100 * contacts.signal_error_largest)} % at most, at {contacts.checks} contacts that they weren't made from.
         {(contacts.short ?? []).map((each) => ` Drawn no further than could be solved: ${each}.`)}
       </p>
     </>

@@ -22,7 +22,7 @@ export function LayoutsPanel({ result, findings }: { result: StudyResult; findin
         </p>
       ))}
       <LayoutErrors study={study.name} layouts={rows} loads={findings.loads} />
-      <ContactsTable best={rows[0]} contacts={findings.contacts} />
+      <ContactsTable layout={answersLayout(result) ?? rows[0]} contacts={findings.contacts} />
       <RankedLayouts layouts={rows} findings={findings} csv={csv} />
     </section>
   );

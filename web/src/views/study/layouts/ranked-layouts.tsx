@@ -10,7 +10,7 @@ import { Term } from "../../shared/term/term.tsx";
 /** Rows before one asks for more. */
 const FEW = 20;
 
-const FIGURES = view(LAYOUTS_COLUMNS, "ranked", "dead", "alike");
+const FIGURES = view(LAYOUTS_COLUMNS, "ranked", "dead", "bound", "alike");
 const HEADS = ["Rank", words("Certain"), words("Layout"), ...FIGURES.map(heading)];
 
 /** Every layout at its worst load, best first. */
@@ -35,9 +35,10 @@ export function RankedLayouts({ layouts, findings, csv }: { layouts: RankedLayou
       <p class="quiet">
         Ranked by the simulated <Term of="95 % of contacts">95th percentile</Term> of the angle error at the layout's worst load, times the root of its number
         of films: another film must bring more than an average of more readings. Layouts whose 95th percentile is beyond {LOST_DEG}° come last.{" "}
-        <Term of="lost share">Lost</Term>: off by more than {LOST_DEG}°. Angle bound: <Term of="Cramér–Rao bound">Cramér–Rao</Term>, at the worst angle. Most
-        alike: the two contacts more than {LOST_DEG}° apart whose readings differ least, in standard deviations of the noise; below about 3 they are mistaken
-        for each other. Force, by depth: the depth's error times the slope of force over depth; what films learn of forces stands under Forces.
+        <Term of="lost share">Lost</Term>: off by more than {LOST_DEG}°. Worst load: that of the angle. Angle bound:{" "}
+        <Term of="Cramér–Rao bound">Cramér–Rao</Term>, at the worst angle and load. Most alike: the two contacts more than {LOST_DEG}° apart whose readings
+        differ least, in standard deviations of the noise; below about 3 they are mistaken for each other. Force: root mean square at the load where that is
+        largest, by the depth's error; what films learn of forces stands under Forces.
         {findings.tau_of_bound != null && ` The order by the bound agrees with this one with Kendall's tau of ${short(findings.tau_of_bound, 2)}.`}{" "}
         {filmsWords(findings.size_mm, findings.unit)} Mesh: {findings.level}
         {findings.coarser_level == null ? ", without a coarser one for its error." : `, its error from ${findings.coarser_level}.`}

@@ -53,10 +53,11 @@ export function MovedScore({ study, films, layout, isMoved }: Props) {
   if (answer?.of !== text) return <p>Simulated, 95 % of contacts: the service is asked once the films rest. {before}</p>;
   if (answer.scored.status === "failed") return <ProblemBox problem={answer.scored.problem} />;
   if (answer.scored.status === "loading") return null;
-  const score = answer.scored.value.layouts[0]?.score;
+  const moved = answer.scored.value.layouts[0];
   return (
     <p>
-      Simulated, 95 % of contacts: <strong>{score === undefined ? "unknown" : p95Words(score)}</strong>, as force {short(score?.force_error_n, 2)} N. {before}
+      Simulated, 95 % of contacts: <strong>{moved === undefined ? "unknown" : p95Words(moved.score)}</strong>, the vertical force to{" "}
+      {short(moved?.worst_force?.error_n, 2)} N rms. {before}
     </p>
   );
 }
