@@ -326,9 +326,15 @@ mod tests {
         assert_eq!(found.worst_load_n, Some(5.0));
         assert_eq!(found.score.force_error_n, Some(0.5));
         let force = found.worst_force.expect("a force");
-        assert_eq!((force.error_n, force.claim_n, force.load_n), (3.0, None, Some(33.0)));
+        assert_eq!(
+            (force.error_n, force.claim_n, force.load_n),
+            (3.0, None, Some(33.0))
+        );
         let camber = &found.contacts[0];
-        assert_eq!((camber.p95_angle_error_deg, camber.force_error_n), (4.5, 1.5));
+        assert_eq!(
+            (camber.p95_angle_error_deg, camber.force_error_n),
+            (4.5, 1.5)
+        );
     }
 
     #[test]
