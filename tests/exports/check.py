@@ -161,6 +161,9 @@ def rows_of(table, result, evaluations):
                 "shear_angle_error_deg": shear.get("worst_angle_error_deg"),
                 **{f"shear_force_{axis}_error_n": force for axis, force in zip("xyz", forces, strict=True)},
                 "shear_reason": shear.get("reason"), "turn_deg": layout.get("turn_deg"),
+                "worst_load_n": layout["worst_load_n"],
+                "worst_force_error_n": (layout.get("worst_force") or {}).get("error_n"),
+                "worst_force_load_n": (layout.get("worst_force") or {}).get("load_n"),
             }
     elif table == "candidates":
         for film in result["layout_findings"]["candidates"]:
