@@ -225,7 +225,9 @@ fn differ(
         let Ok(answer) = slot else {
             continue;
         };
-        let of_axes: Result<Vec<_>, String> = solved.by_ref().take(contacts.axes.len()).collect();
+        // All of them before the first reason: what is left belongs to the next mesh.
+        let of_axes: Vec<_> = solved.by_ref().take(contacts.axes.len()).collect();
+        let of_axes: Result<Vec<_>, String> = of_axes.into_iter().collect();
         let checks = (mesh == 0).then(|| solved.next()).flatten();
         let own = SolvedContacts {
             scenes: contacts,
