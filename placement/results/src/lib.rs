@@ -98,6 +98,11 @@ impl StudyResult {
         self.notes.push(note.text.clone());
         self.graded_notes.push(note);
     }
+
+    /// The first layout of a rank.
+    pub fn layout_of_rank(&self, rank: usize) -> Option<&RankedLayout> {
+        self.layouts.iter().find(|layout| layout.rank == rank)
+    }
 }
 
 /// Identity of a study: which document, which program.

@@ -14,8 +14,8 @@ use documents::study::Study;
 use fem_client::solver::direction::Direction;
 use results::location_scores::GSI;
 use results::{
-    Answer, Certainty, InputsAnswer, LayoutAnswer, LeftOut, PlaceAnswer, RankedLayout,
-    RankedLocation, SheetFilm, SignalsAnswer, StudyResult,
+    Answer, Certainty, InputsAnswer, LayoutAnswer, LeftOut, PlaceAnswer, RankedLocation, SheetFilm,
+    SignalsAnswer, StudyResult,
 };
 
 /// The answer of a study's result, which has everything else already; `None` where nothing has a rank. What a surer answer costs depends on the machine: who
@@ -39,7 +39,7 @@ pub(crate) fn answer_of(
     let mut inputs = inputs_that_matter(result, study.directions.asked());
     if let Some(inputs) = &mut inputs {
         let of_layout = layout.as_ref().and_then(|picked| {
-            let layout = of_rank(result, picked.answer.rank)?;
+            let layout = result.layout_of_rank(picked.answer.rank)?;
             inputs_beside::of_layout(study, layout)
         });
         let of_volts = signals.as_ref().zip(slopes);
@@ -84,14 +84,9 @@ fn left_out(result: &StudyResult, signals: Option<&SignalsAnswer>) -> Option<Lef
     largest(parts)
 }
 
-/// The first layout of a rank.
-fn of_rank(result: &StudyResult, rank: usize) -> Option<&RankedLayout> {
-    result.layouts.iter().find(|layout| layout.rank == rank)
-}
-
 /// The films of the layout that answers.
 fn films(study: &Study, result: &StudyResult, layout: Option<&LayoutAnswer>) -> Vec<SheetFilm> {
-    let found = layout.and_then(|layout| of_rank(result, layout.rank));
+    let found = layout.and_then(|layout| result.layout_of_rank(layout.rank));
     found.map_or_else(Vec::new, |layout| {
         sheet(
             layout,

@@ -190,10 +190,9 @@ fn note_on_questions(answers: &Answers) -> Option<String> {
 fn column(entry: &Entry, answer: Option<ComparedAnswer>) -> ComparedStudy {
     let result = entry.result.as_ref().ok();
     let best = result.and_then(|result| result.locations.first());
-    let layout = result.zip(answer.as_ref()).and_then(|(result, answer)| {
-        let mut layouts = result.layouts.iter();
-        layouts.find(|layout| layout.rank == answer.layout_rank)
-    });
+    let layout = result
+        .zip(answer.as_ref())
+        .and_then(|(result, answer)| result.layout_of_rank(answer.layout_rank));
     let signal = PerDirection::of(|direction| centre(result?, direction)?.std);
     ComparedStudy {
         id: entry.id.clone(),

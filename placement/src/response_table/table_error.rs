@@ -6,49 +6,10 @@ use crate::layout::solving::layout_fields::samples;
 use crate::layout::solving::mirror_parts::image;
 use crate::response_table::solved_table::{ResponseTable, Weights};
 use crate::response_table::table_scenes::Pressing;
+use crate::score::scaled_errors::Errors;
 use layouts::arrangement::FilmKind;
 use layouts::field::hermite::{DEGREES, Turn};
 use results::TableError;
-
-/// Squares of errors and the largest of them.
-#[derive(Default)]
-pub(crate) struct Errors {
-    squares: f64,
-    count: usize,
-    worst: f64,
-}
-
-impl Errors {
-    fn compare(&mut self, found: &[f64], expected: &[f64], scale: f64) {
-        let errors = found.iter().zip(expected).map(|(a, b)| a - b);
-        self.add(errors, scale);
-    }
-
-    /// Adds errors over a scale.
-    pub fn add(&mut self, errors: impl IntoIterator<Item = f64>, scale: f64) {
-        for error in errors {
-            let error = error / scale;
-            self.squares += error * error;
-            self.count += 1;
-            self.worst = self.worst.max(error.abs());
-        }
-    }
-
-    /// Counts the errors.
-    pub fn count(&self) -> usize {
-        self.count
-    }
-
-    /// Root mean square; 0 of none.
-    pub fn rms(&self) -> f64 {
-        (self.squares / self.count.max(1) as f64).sqrt()
-    }
-
-    /// The largest absolute one; 0 of none.
-    pub fn worst(&self) -> f64 {
-        self.worst
-    }
-}
 
 /// Readings of a kind of film at both solves of a pair, by the table or by the solves.
 type Both = [Vec<f64>; 2];
@@ -81,11 +42,11 @@ pub(crate) fn table_error(
     (!pairs.is_empty()).then(|| TableError {
         solves: 2 * pairs.len(),
         signal_rms: signals.rms(),
-        signal_worst: signals.worst,
+        signal_worst: signals.worst(),
         angle_slope_rms: over_angle.rms(),
-        angle_slope_worst: over_angle.worst,
+        angle_slope_worst: over_angle.worst(),
         depth_slope_rms: over_depth.rms(),
-        depth_slope_worst: over_depth.worst,
+        depth_slope_worst: over_depth.worst(),
         force_worst,
     })
 }

@@ -6,6 +6,7 @@
 //! - `map_slopes`: what each input changes over the map, to first order
 //! - [`rank`]: indices to ranked locations
 //! - `notes`: what the user must know before believing the numbers
+//! - `scaled_errors`: errors over a scale
 //! - [`assemble`]: all of it into the answer
 
 pub(crate) mod analyst;
@@ -17,3 +18,4 @@ pub(crate) mod notes;
 pub(crate) mod quantity;
 pub mod rank;
 pub(crate) mod readings;
+pub(crate) mod scaled_errors;

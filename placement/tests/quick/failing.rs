@@ -5,14 +5,17 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use documents::study::Study;
 use documents::study::plan::Plan;
 use fem_client::closed_form::ClosedFormSolver;
-use fem_client::solver::{NoEquilibrium, SolveError, SolveRequest, Solver};
+use fem_client::scene::{Level, Scene};
+use fem_client::solver::{
+    Coarser, NoEquilibrium, Reached, SolveError, SolveRequest, Solved, Solver,
+};
 use gsa::method::{Kind, Method};
 use placement::points::Event;
 use placement::points::RunContext;
 use placement::points::RunError;
 use placement::run::run;
 
-use crate::support::{MemoryArchive, Twisted, answered, observed, shipped, text};
+use crate::support::{MemoryArchive, Twisted, answered, observed, shipped, study, text};
 
 const POINTS: usize = 26;
 
@@ -306,10 +309,7 @@ fn a_response_that_is_not_finite_is_never_stored() {
         fn version(&self) -> String {
             "nan".to_owned()
         }
-        fn solve(
-            &self,
-            request: &SolveRequest<'_>,
-        ) -> Result<fem_client::solver::Solved, SolveError> {
+        fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
             let mut solved = ClosedFormSolver::new().solve(request)?;
             if request.start.is_some() {
                 solved.response.map.as_mut().unwrap().strain.y[3] = f64::NAN;
@@ -330,4 +330,60 @@ fn a_response_that_is_not_finite_is_never_stored() {
             .contains("a strain of the map isn't a finite number")
     );
     assert_eq!(archive.points.lock().unwrap().len(), 1);
+}
+
+/// The closed form on two meshes, of which the finer one has no equilibrium on uneven ground.
+struct Burst;
+
+impl Solver for Burst {
+    fn version(&self) -> String {
+        ClosedFormSolver::new().version()
+    }
+
+    fn coarser(&self, scene: &Scene) -> Option<Coarser> {
+        (scene.model.level == Level::Coarse).then_some(Coarser {
+            level: Level::Draft,
+            factor: 1.0,
+            of_largest: 1.0,
+        })
+    }
+
+    fn solve(&self, request: &SolveRequest<'_>) -> Result<Solved, SolveError> {
+        let scene = request.scene;
+        let depths = &scene.ground.depths_mm;
+        if scene.model.level == Level::Coarse && depths.iter().any(|depth| *depth != depths[0]) {
+            return Err(SolveError::NoEquilibrium {
+                status: NoEquilibrium::NotConverged,
+                detail: "it burst".to_owned(),
+                reached: Reached::default(),
+            });
+        }
+        ClosedFormSolver::new().solve(request)
+    }
+}
+
+/// Answers of the coarser mesh aren't taken for what the finer one lacks.
+#[test]
+fn a_contact_without_equilibrium_leaves_layouts_without_scores() {
+    let document = "name = \"burst\"
+scene = { preset = \"foot-tire\" }
+inputs = [{ name = \"c\", vary = \"pressure.internal_mpa\", distribution = { kind = \"uniform\", min = 0.01, max = 0.02 } }]
+method = { kind = \"mdrm\", nodes = 2, check_points = 0, seed = 1 }
+accuracy = { preset = \"coarse\" }
+[layouts]
+units = [6]
+positions = [\"crown\"]
+depths_mm = [1]
+[layouts.contacts]
+uneven = { kind = \"uniform\", min = -0.1, max = 0.1 }
+pressure_factor = { kind = \"uniform\", min = 0.9, max = 1.1 }
+";
+    let study = study(document);
+    let (result, _) = observed(&study, &Burst, &MemoryArchive::default(), 2);
+    let result = result.unwrap();
+    let reasons = result.layout_findings.unwrap().reasons.join(" ");
+    assert!(reasons.contains("it burst"), "{reasons}");
+    for layout in &result.layouts {
+        assert_eq!(layout.score.simulated_p95_angle_error_deg, None);
+    }
 }

@@ -1,11 +1,14 @@
 //! Solved contacts as a response surface of every kind of film, and its error at contacts that it hasn't seen.
 
-use fem_client::solver::{Response, Ring};
+use std::ops::RangeInclusive;
+
+use fem_client::solver::Response;
 
 use crate::layout::solving::contact_scenes::{ContactScenes, PlannedAxis, Stepped};
-use crate::layout::solving::layout_fields::samples;
+use crate::layout::solving::layout_fields::{CONTACT, samples};
 use crate::layout::solving::mirror_parts::image;
 use crate::points::archive::Outcome;
+use crate::score::scaled_errors::Errors;
 use documents::layouts::contact_laws::{ContactLaw, ContactQuantity};
 use layouts::arrangement::FilmKind;
 use layouts::field::film_field::DepthFields;
@@ -15,16 +18,15 @@ use layouts::field::response_surface::{
 };
 use results::ContactFindings;
 
-/// Distance from the contact within which films feel most of it, degrees.
-const NEAR_DEG: i32 = 30;
+/// Samples within 30 degrees of the contact: there films feel most of it.
+const NEAR: RangeInclusive<usize> = CONTACT - 30..=CONTACT + 30;
 
 /// Answers to the scenes of a surface on one mesh.
 pub(crate) struct SolvedContacts<'s> {
     pub scenes: &'s ContactScenes<'s>,
     /// Kinds of film, with their volts where they are glued; the first two are those of the crown.
     pub kinds: &'s [FilmKind],
-    /// The layouts' own solves, and the fields that they are.
-    pub usual: &'s [Outcome],
+    /// Fields of the usual contact.
     pub fields: &'s DepthFields,
 }
 
@@ -51,13 +53,13 @@ impl SolvedContacts<'_> {
     /// # Errors
     /// Which contact has no answer.
     pub fn surface(&self, of_axes: &[Vec<Outcome>]) -> Result<ResponseSurface, String> {
-        let mut depths: Vec<usize> = (0..self.scenes.depths.len()).collect();
-        depths.sort_by(|a, b| self.depth_mm(*a).total_cmp(&self.depth_mm(*b)));
-        let places = depths.iter().map(|depth| self.depth_mm(*depth)).collect();
+        let mut depths: Vec<(usize, f64)> =
+            self.scenes.depths.iter().copied().enumerate().collect();
+        depths.sort_by(|a, b| a.1.total_cmp(&b.1));
         let axis = |(solved, axis): (usize, PlannedAxis)| {
-            let nodes = depths.iter().map(|depth| {
+            let nodes = depths.iter().map(|(depth, depth_mm)| {
                 let two = [0, 1].map(|step| &of_axes[solved][2 * depth + step]);
-                self.nodes(&self.scenes.axes[solved], &axis, *depth, two)
+                self.nodes(&self.scenes.axes[solved], &axis, *depth_mm, two)
             });
             Ok(ContactAxis {
                 law: axis.law,
@@ -71,14 +73,10 @@ impl SolvedContacts<'_> {
                 forces_n: self.fields.forces_n.clone(),
                 signals: self.fields.signals.clone(),
             },
-            Nodes::new(places),
+            Nodes::new(depths.iter().map(|(_, depth_mm)| *depth_mm).collect()),
             self.scenes.laws.to_vec(),
             axes.collect::<Result<_, String>>()?,
         ))
-    }
-
-    fn depth_mm(&self, depth: usize) -> f64 {
-        self.scenes.depths[depth].0
     }
 
     /// Nodes of an axis at a depth from the two contacts that were solved of it, or of the axis that it is the image of.
@@ -86,10 +84,10 @@ impl SolvedContacts<'_> {
         &self,
         solved: &PlannedAxis,
         axis: &PlannedAxis,
-        depth: usize,
+        depth_mm: f64,
         two: [&Outcome; 2],
     ) -> Result<Vec<AxisNode>, String> {
-        let usual = self.usual(depth)?;
+        let usual = self.usual(depth_mm);
         let node = |value: f64, read: &Read| {
             let change = read.less(&usual);
             AxisNode {
@@ -104,8 +102,7 @@ impl SolvedContacts<'_> {
         let mut above = Vec::new();
         for (step, outcome) in axis.steps().into_iter().zip(two) {
             let response = outcome.as_ref().map_err(|unsolved| {
-                let depth = self.depth_mm(depth);
-                format!("of the contacts that differ in {} at {depth} mm one has no equilibrium: {unsolved}", quantity.words())
+                format!("of the contacts that differ in {} at {depth_mm} mm one has no equilibrium: {unsolved}", quantity.words())
             })?;
             let value = value(axis, quantity, step, response)?;
             match axis.stepped {
@@ -130,25 +127,26 @@ impl SolvedContacts<'_> {
     }
 
     /// The usual contact at a depth.
-    fn usual(&self, depth: usize) -> Result<Read, String> {
-        let (_, solved) = self.scenes.depths[depth];
-        let response = self.usual[solved].as_ref();
-        let response = response.map_err(|unsolved| unsolved.to_string())?;
-        self.of(&response.rings, response)
+    fn usual(&self, depth_mm: f64) -> Read {
+        let field = self.fields.at(depth_mm);
+        let signals = field.kinds.iter();
+        Read {
+            force_n: field.force_n,
+            signals: signals.map(|kind| kind.signal.samples().to_vec()).collect(),
+        }
     }
 
     /// A contact, or its image before and behind, or left and right.
     fn read(&self, response: &Response, mirrors: [bool; 2]) -> Result<Read, String> {
         let rings = image(self.kinds, mirrors, &response.rings);
-        self.of(&rings.ok_or_else(without_rings)?, response)
-    }
-
-    fn of(&self, rings: &[Ring], response: &Response) -> Result<Read, String> {
-        let kinds = self.kinds.iter();
-        let signals = kinds.map(|kind| samples(rings, kind, self.kinds));
+        let signals = rings.and_then(|rings| {
+            let kinds = self.kinds.iter();
+            let signals = kinds.map(|kind| samples(&rings, kind, self.kinds));
+            signals.collect::<Option<_>>()
+        });
         Ok(Read {
             force_n: response.reaction_n,
-            signals: signals.collect::<Option<_>>().ok_or_else(without_rings)?,
+            signals: signals.ok_or("the solver gives no strains around the wheel")?,
         })
     }
 
@@ -161,7 +159,8 @@ impl SolvedContacts<'_> {
         surface: &ResponseSurface,
         solved: &[Outcome],
     ) -> Result<ContactFindings, String> {
-        let (mut near, mut most, mut forces) = (Vec::new(), 0.0f64, Vec::new());
+        let (mut near, mut all, mut forces) =
+            (Errors::default(), Errors::default(), Errors::default());
         for (check, outcome) in self.scenes.checks().iter().zip(solved) {
             let response = outcome.as_ref().map_err(|unsolved| {
                 format!(
@@ -170,26 +169,23 @@ impl SolvedContacts<'_> {
             })?;
             let found = self.read(response, [false, false])?;
             let given: Vec<Given> = check.steps.iter().copied().map(Given::Step).collect();
-            let contact = surface.contact(self.depth_mm(check.depth), &given);
-            forces.push(found.force_n - surface.force_n(&contact));
-            let usual = self.usual(check.depth)?;
+            let contact = surface.contact(check.depth_mm, &given);
+            forces.add([found.force_n - surface.force_n(&contact)], 1.0);
+            let usual = self.usual(check.depth_mm);
             let crown = usual.signals.iter().take(2).flatten();
             let full_scale = crown.fold(0.0, |largest: f64, signal| largest.max(signal.abs()));
             for (kind, found) in found.signals.iter().enumerate() {
-                let pairs = found.iter().zip(surface.signal(&contact, kind));
-                let off = pairs.map(|(found, surface)| (found - surface) / full_scale);
-                for (off, degree) in off.zip(-180i32..180) {
-                    most = most.max(off.abs());
-                    near.extend((degree.abs() <= NEAR_DEG).then_some(off));
-                }
+                let expected = surface.signal(&contact, kind);
+                all.compare(found, &expected, full_scale);
+                near.compare(&found[NEAR], &expected[NEAR], full_scale);
             }
         }
         Ok(ContactFindings {
             laws: self.scenes.laws.iter().map(ContactLaw::described).collect(),
             checks: solved.len(),
-            signal_error_rms: root_mean_square(&near),
-            signal_error_largest: most,
-            force_error_n: root_mean_square(&forces),
+            signal_error_rms: near.rms(),
+            signal_error_largest: all.worst(),
+            force_error_n: forces.rms(),
             short: self.short(surface),
         })
     }
@@ -215,15 +211,6 @@ impl SolvedContacts<'_> {
         }
         short
     }
-}
-
-fn without_rings() -> String {
-    "the solver gives no strains around the wheel".to_owned()
-}
-
-fn root_mean_square(errors: &[f64]) -> f64 {
-    let squares = errors.iter().map(|error| error * error).sum::<f64>();
-    (squares / errors.len().max(1) as f64).sqrt()
 }
 
 /// Value of a quantity at a step: of a traction what the ground pulls with.

@@ -50,8 +50,8 @@ pub(crate) struct ContactScenes<'s> {
     scenes: &'s LayoutScenes,
     /// The laws.
     pub laws: &'s [ContactLaw],
-    /// Depths at which quantities are stepped, and their numbers among the layouts' own solves.
-    pub depths: Vec<(f64, usize)>,
+    /// Depths at which quantities are stepped, mm.
+    pub depths: Vec<f64>,
     /// Axes that are solved.
     pub axes: Vec<PlannedAxis>,
 }
@@ -59,8 +59,8 @@ pub(crate) struct ContactScenes<'s> {
 /// Contact of all quantities at once.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct CheckContact {
-    /// Number of its depth.
-    pub depth: usize,
+    /// Depth, mm.
+    pub depth_mm: f64,
     /// Steps by station of the uneven ground and by axis: see [`ContactScenes::components`].
     pub steps: Vec<f64>,
 }
@@ -137,15 +137,15 @@ impl<'s> ContactScenes<'s> {
     }
 
     /// Contacts that are solved of an axis on a level: by depth, from the middle one on, the steps of each.
-    pub fn of_axis(&self, axis: &PlannedAxis, level: Level) -> Vec<Scene> {
+    fn of_axis(&self, axis: &PlannedAxis, level: Level) -> Vec<Scene> {
         let scene = |(depth_mm, step): (f64, f64)| {
             let mut scene = self.scenes.flat(depth_mm, level);
             axis.step(&mut scene, depth_mm, step);
             scene
         };
-        let depths = self.depths.iter().map(|(depth, _)| *depth);
+        let depths = self.depths.iter();
         depths
-            .flat_map(|depth| axis.steps().map(|step| scene((depth, step))))
+            .flat_map(|depth| axis.steps().map(|step| scene((*depth, step))))
             .collect()
     }
 
@@ -153,7 +153,8 @@ impl<'s> ContactScenes<'s> {
     pub fn checks(&self) -> Vec<CheckContact> {
         let components = self.components();
         let points = Sobol::new(components.len());
-        let asked = self.scenes.loads.len();
+        // Those asked for alone: the others are there for the cubic.
+        let asked = self.scenes.asked();
         let check = |k: u32| {
             let shares = points.point(k, SEED);
             let step = |((_, axis), share): (&(usize, PlannedAxis), f64)| {
@@ -161,29 +162,20 @@ impl<'s> ContactScenes<'s> {
                 (law.value_at(share) - law.quantity.usual()) / axis.reach
             };
             CheckContact {
-                // Those asked for alone: the others are there for the cubic.
-                depth: self.asked_depth(k as usize % asked),
+                depth_mm: asked[k as usize % asked.len()],
                 steps: components.iter().zip(shares).map(step).collect(),
             }
         };
         (0..CHECKS).map(check).collect()
     }
 
-    /// Number of the depth of a load that is asked for.
-    fn asked_depth(&self, load: usize) -> usize {
-        let solved = self.scenes.asked(load);
-        let found = self.depths.iter().position(|(_, own)| *own == solved);
-        found.unwrap_or_default()
-    }
-
     /// Scenes of the contacts of all quantities at once.
     fn check_scenes(&self, level: Level) -> Vec<Scene> {
         let components = self.components();
         let scene = |check: &CheckContact| {
-            let (depth_mm, _) = self.depths[check.depth];
-            let mut scene = self.scenes.flat(depth_mm, level);
+            let mut scene = self.scenes.flat(check.depth_mm, level);
             for ((_, axis), step) in components.iter().zip(&check.steps) {
-                axis.step(&mut scene, depth_mm, *step);
+                axis.step(&mut scene, check.depth_mm, *step);
             }
             scene
         };
@@ -247,9 +239,8 @@ mod tests {
         let laws = laws();
         let contacts = ContactScenes::of(&scenes, &laws).expect("laws");
         // Two loads and both ends; a camber, three of five stations and a pressure, two steps each.
-        let depths: Vec<f64> = contacts.depths.iter().map(|(depth, _)| *depth).collect();
         // The middle one of two is the second.
-        assert_eq!(depths, [2.0, 1.0, 2.5, 0.5]);
+        assert_eq!(contacts.depths, [2.0, 1.0, 2.5, 0.5]);
         let all = contacts.series(Level::Draft, &[]);
         let counts: Vec<usize> = all.iter().map(|series| series.scenes.len()).collect();
         assert_eq!(counts, [8; 5]);

@@ -154,29 +154,27 @@ impl LayoutScenes {
         self.tire.ground.stations
     }
 
-    /// Number among what is solved of a load that is asked for.
-    pub(crate) fn asked(&self, load: usize) -> usize {
-        let is_own = |solved: &Pressed| *solved == self.loads[load];
-        self.solved.iter().position(is_own).unwrap_or_default()
+    /// Values of the loads asked for, in the order of the document.
+    pub(crate) fn asked(&self) -> Vec<f64> {
+        self.loads.iter().map(|load| load.value()).collect()
     }
 
     /// Depths at which contacts are solved that differ from the usual one, mm: those asked for, the middle one first, and where these are fewer than three a little
-    /// beyond them on both sides; each with its number among the layouts' own solves.
-    pub(crate) fn depths_of_contacts(&self) -> Vec<(f64, usize)> {
-        let values = self.loads.iter().map(|load| load.value());
-        let [least, largest] = values.fold([f64::INFINITY, 0.0], |[low, high], value| {
-            [f64::min(low, value), f64::max(high, value)]
-        });
+    /// beyond them on both sides.
+    pub(crate) fn depths_of_contacts(&self) -> Vec<f64> {
+        let [least, largest] = self
+            .asked()
+            .into_iter()
+            .fold([f64::INFINITY, 0.0], |[low, high], value| {
+                [f64::min(low, value), f64::max(high, value)]
+            });
         let ends = match self.loads.len() {
             ..3 => vec![BEYOND[0] * least, BEYOND[1] * largest],
             _ => Vec::new(),
         };
-        let numbered = self.solved.iter().enumerate();
-        let is_wanted = |load: &Pressed| self.loads.contains(load) || ends.contains(&load.value());
-        let wanted = numbered.filter(|(_, load)| is_wanted(load));
-        wanted
-            .map(|(solved, load)| (load.value(), solved))
-            .collect()
+        let is_wanted = |load: &&Pressed| self.loads.contains(load) || ends.contains(&load.value());
+        let wanted = self.solved.iter().filter(is_wanted);
+        wanted.map(|load| load.value()).collect()
     }
 
     /// Returns how far the ground is dragged for slopes over its shift, mm: so little that all but the contact's rim sticks.

@@ -142,8 +142,6 @@ struct MeshAnswer {
     /// Kinds of film, with their volts where they are glued.
     kinds: Vec<FilmKind>,
     fields: MeshFields,
-    /// Outcomes of its loads.
-    pressed: Vec<Outcome>,
 }
 
 /// Answer of one mesh whose loads were solved; films glued on are solved now, and the place moves behind their points. Without the first load there is nothing to
@@ -176,7 +174,6 @@ fn mesh_answer(
         level,
         kinds,
         fields,
-        pressed,
     }))
 }
 
@@ -225,14 +222,11 @@ fn differ(
         let Ok(answer) = slot else {
             continue;
         };
-        // All of them before the first reason: what is left belongs to the next mesh.
-        let of_axes: Vec<_> = solved.by_ref().take(contacts.axes.len()).collect();
-        let of_axes: Result<Vec<_>, String> = of_axes.into_iter().collect();
+        let of_axes: Result<Vec<_>, String> = solved.by_ref().take(contacts.axes.len()).collect();
         let checks = (mesh == 0).then(|| solved.next()).flatten();
         let own = SolvedContacts {
             scenes: contacts,
             kinds: &answer.kinds,
-            usual: &answer.pressed,
             fields: &answer.fields.fields,
         };
         match of_axes.and_then(|of_axes| own.surface(&of_axes)) {
@@ -241,7 +235,11 @@ fn differ(
                 findings = findings.or(found);
                 answer.fields.fields = DepthFields::over_contacts(surface, Drawn::All);
             }
-            Err(reason) => *slot = Err(format!("Layouts have no scores: {reason}.")),
+            Err(reason) => {
+                *slot = Err(format!("Layouts have no scores: {reason}."));
+                // What is left isn't the next mesh's.
+                break;
+            }
         }
     }
     Ok(match findings {

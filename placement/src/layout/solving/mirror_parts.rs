@@ -38,6 +38,9 @@ pub fn mirrored(kinds: &[FilmKind]) -> Readout {
     Readout { rings, ..own }
 }
 
+/// Images of a field before and behind, left and right, and both: whether it is mirrored so.
+const IMAGES: [[bool; 2]; 4] = [[false, false], [true, false], [false, true], [true, true]];
+
 /// The part of all strains on a line that is odd, or even, in the shift along the wheel and in the one across, divided by `over`; of a field read on this line and
 /// its image.
 pub(crate) fn part(
@@ -49,95 +52,84 @@ pub(crate) fn part(
 ) -> Option<Ring> {
     let [aft, left] = odd.map(|odd| if odd { -1.0 } else { 1.0 });
     let signs = [1.0, aft, left, aft * left];
-    let side = |section_deg: f64| {
-        let at = read
-            .iter()
-            .position(|line| line.section_deg == section_deg)?;
-        Some((&read[at], rings.get(at)?))
-    };
-    let (own, image) = (side(line.section_deg)?, side(0.0 - line.section_deg)?);
-    let part = |[field, aft, left, both]: [&[f64]; 4]| -> Vec<f64> {
-        let opposite = |i: usize| (field.len() - i) % field.len();
-        (0..field.len())
-            .map(|i| {
-                let values = [field[i], aft[opposite(i)], left[i], both[opposite(i)]];
-                let sum: f64 = signs
-                    .iter()
-                    .zip(values)
-                    .map(|(sign, value)| sign * value)
-                    .sum();
-                sum / (4.0 * over)
-            })
-            .collect()
-    };
-    let along = |angle_deg: f64| {
-        Some(part([
-            strains(own, angle_deg)?,
-            strains(own, -angle_deg)?,
-            strains(image, -angle_deg)?,
-            strains(image, angle_deg)?,
-        ]))
-    };
-    Some(Ring {
-        section_deg: line.section_deg,
-        theta_deg: own.1.theta_deg.clone(),
-        strain: PerDirection {
-            x: along(0.0)?,
-            y: along(90.0)?,
-        },
-        turned: line
-            .turned_deg
-            .iter()
-            .map(|angle| along(*angle))
-            .collect::<Option<_>>()?,
+    ring(line, read, rings, |angle_deg| {
+        let [own, aft, left, both] =
+            IMAGES.map(|mirrors| image_along(line, angle_deg, mirrors, read, rings));
+        let images = [own?, aft?, left?, both?];
+        let at = |i: usize| {
+            let values = images.iter().zip(signs);
+            let sum: f64 = values.map(|(image, sign)| sign * image[i]).sum();
+            sum / (4.0 * over)
+        };
+        Some((0..images[0].len()).map(at).collect())
     })
 }
 
 /// The lines of [`readout`] from those of [`mirrored`], of the field's image before and behind, and left and right.
-pub(crate) fn image(
-    kinds: &[FilmKind],
-    [aft, left]: [bool; 2],
-    rings: &[Ring],
-) -> Option<Vec<Ring>> {
+pub(crate) fn image(kinds: &[FilmKind], mirrors: [bool; 2], rings: &[Ring]) -> Option<Vec<Ring>> {
     let read = mirrored(kinds).rings;
-    // Both images of a direction at angle a are at -a: twice mirrored it is itself.
-    let turn = if aft == left { 1.0 } else { -1.0 };
     let own = |line: &RingLine| {
-        let section_deg = if left {
-            0.0 - line.section_deg
-        } else {
-            line.section_deg
-        };
-        let at = read
-            .iter()
-            .position(|other| other.section_deg == section_deg)?;
-        let of = (&read[at], rings.get(at)?);
-        let around = |angle_deg: f64| -> Option<Vec<f64>> {
-            let field = strains(of, turn * angle_deg)?;
-            let degree = |i: usize| {
-                if aft {
-                    (field.len() - i) % field.len()
-                } else {
-                    i
-                }
-            };
-            Some((0..field.len()).map(|i| field[degree(i)]).collect())
-        };
-        Some(Ring {
-            section_deg: line.section_deg,
-            theta_deg: of.1.theta_deg.clone(),
-            strain: PerDirection {
-                x: around(0.0)?,
-                y: around(90.0)?,
-            },
-            turned: line
-                .turned_deg
-                .iter()
-                .map(|angle| around(*angle))
-                .collect::<Option<_>>()?,
+        ring(line, &read, rings, |angle_deg| {
+            image_along(line, angle_deg, mirrors, &read, rings)
         })
     };
     readout(kinds).rings.iter().map(own).collect()
+}
+
+/// A line with the strains in all its directions.
+fn ring(
+    line: &RingLine,
+    read: &[RingLine],
+    rings: &[Ring],
+    along: impl Fn(f64) -> Option<Vec<f64>>,
+) -> Option<Ring> {
+    let (_, own) = on_line(line.section_deg, read, rings)?;
+    let turned = line.turned_deg.iter();
+    Some(Ring {
+        section_deg: line.section_deg,
+        theta_deg: own.theta_deg.clone(),
+        strain: PerDirection {
+            x: along(0.0)?,
+            y: along(90.0)?,
+        },
+        turned: turned.map(|angle| along(*angle)).collect::<Option<_>>()?,
+    })
+}
+
+/// Strains on a line along a direction at this angle, of the field's image before and behind, and left and right.
+fn image_along(
+    line: &RingLine,
+    angle_deg: f64,
+    [aft, left]: [bool; 2],
+    read: &[RingLine],
+    rings: &[Ring],
+) -> Option<Vec<f64>> {
+    // Either image of a direction at angle a is at -a: twice mirrored it is itself.
+    let turn = if aft == left { 1.0 } else { -1.0 };
+    let section_deg = match left {
+        true => 0.0 - line.section_deg,
+        false => line.section_deg,
+    };
+    let field = strains(on_line(section_deg, read, rings)?, turn * angle_deg)?;
+    Some(match aft {
+        true => {
+            let opposite = |i: usize| field[(field.len() - i) % field.len()];
+            (0..field.len()).map(opposite).collect()
+        }
+        false => field.to_vec(),
+    })
+}
+
+/// Line at a section angle, and strains there.
+fn on_line<'r>(
+    section_deg: f64,
+    read: &'r [RingLine],
+    rings: &'r [Ring],
+) -> Option<(&'r RingLine, &'r Ring)> {
+    let at = read
+        .iter()
+        .position(|line| line.section_deg == section_deg)?;
+    Some((&read[at], rings.get(at)?))
 }
 
 /// Strains on a line along a direction at this angle.

@@ -3,12 +3,13 @@
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
-use document::fault::Fault;
+use document::fault::{Fault, member};
 use document::fields::{Fields, plain};
 use fem_client::scene::Scene;
 
 use crate::layouts::contact_laws::{ContactLaw, ContactQuantity};
 use crate::layouts::layout_settings::{LayoutLoads, Layouts};
+use crate::layouts::reading::usual_contact::check_usual;
 use crate::parts::distribution_reader::read_distribution;
 
 /// Share of the friction up to which a contact may be dragged: beyond it most of it slides.
@@ -66,14 +67,6 @@ pub(super) fn check_contacts(
         return;
     }
     let pointer = fields.at("contacts");
-    let mut add = |name: &str, detail: &str| {
-        let at = if name.is_empty() {
-            pointer.clone()
-        } else {
-            format!("{pointer}/{name}")
-        };
-        Fault::add(faults, &at, detail);
-    };
     let mean_is_force = scene.is_some_and(|scene| scene.ground.load_n.is_some());
     let by_force = match &layouts.loads {
         LayoutLoads::Forces(_) => true,
@@ -81,29 +74,18 @@ pub(super) fn check_contacts(
         LayoutLoads::Mean => mean_is_force,
     };
     if by_force {
-        add("", "are judged at depths: give layouts.depths_mm");
+        let detail = "are judged at depths: give layouts.depths_mm";
+        Fault::add(faults, &pointer, detail);
     }
     if layouts.shear {
-        add(
-            "",
-            "and layouts.shear are two models of forces along the ground: give one of them",
-        );
+        let detail =
+            "and layouts.shear are two models of forces along the ground: give one of them";
+        Fault::add(faults, &pointer, detail);
     }
     let Some(scene) = scene else {
         return;
     };
-    if scene.ground.is_dragged() {
-        add(
-            "",
-            "are about ground that isn't dragged: the scene's ground.shift_mm must be left out",
-        );
-    }
-    if scene.ground.leans() {
-        add(
-            "",
-            "are about an upright wheel: the scene's ground.camber_deg must be left out",
-        );
-    }
+    check_usual(scene, &pointer, "are", faults);
     for law in &layouts.contacts {
         let most = OF_FRICTION * scene.contact.friction;
         if law.quantity.needs_friction() && law.reach() > most {
@@ -112,7 +94,7 @@ pub(super) fn check_contacts(
                 plain(most),
                 plain(law.reach())
             );
-            add(law.quantity.as_str(), &detail);
+            Fault::add(faults, &member(&pointer, law.quantity.as_str()), detail);
         }
     }
 }

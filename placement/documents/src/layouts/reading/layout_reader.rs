@@ -24,6 +24,7 @@ use crate::layouts::reading::film_size_reader::{check_film, check_sizes, read_fi
 use crate::layouts::reading::limits_reader::gluing_limits;
 use crate::layouts::reading::overlap_check::check_overlaps;
 use crate::layouts::reading::search_reader::{check_places, search};
+use crate::layouts::reading::usual_contact::check_usual;
 use crate::parts::directions::Directions;
 use crate::parts::scene_number::of_scene;
 use document::typed::field_value::read_name;
@@ -142,14 +143,8 @@ pub(crate) fn layouts(
         let detail = "needs ground that takes the tread along: the scene's contact.friction above 0; it is 0";
         Fault::add(faults, &fields.at("shear"), detail);
     }
-    if layouts.shear && scene.is_some_and(|scene| scene.ground.is_dragged()) {
-        let detail =
-            "is about ground that isn't dragged: the scene's ground.shift_mm must be left out";
-        Fault::add(faults, &fields.at("shear"), detail);
-    }
-    if layouts.shear && scene.is_some_and(|scene| scene.ground.leans()) {
-        let detail = "is about an upright wheel: the scene's ground.camber_deg must be left out";
-        Fault::add(faults, &fields.at("shear"), detail);
+    if let Some(scene) = scene.filter(|_| layouts.shear) {
+        check_usual(scene, &fields.at("shear"), "is", faults);
     }
     layouts.contacts = contacts(&fields, faults);
     let free =

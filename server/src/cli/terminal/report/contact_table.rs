@@ -1,4 +1,4 @@
-//! Errors of the best layout by contacts as they come, for people.
+//! Errors of the layout that answers by contacts as they come, for people.
 
 use std::fmt::Write;
 
@@ -9,7 +9,7 @@ use crate::cli::terminal::paint::{FAINT, HEADER, painted};
 use crate::cli::terminal::report::layout_table::{NAMED, described};
 use crate::cli::terminal::wrapping::{labelled, wrapped};
 
-/// Errors of the best layout by each quantity alone, and how far the surface is off; nothing where contacts don't differ.
+/// Errors of the layout that answers by each quantity alone, and how far the surface is off; nothing where contacts don't differ.
 pub(super) fn contacts(result: &StudyResult) -> String {
     let findings = result.layout_findings.as_ref();
     let Some(findings) = findings.and_then(|findings| findings.contacts.as_ref()) else {
@@ -17,14 +17,8 @@ pub(super) fn contacts(result: &StudyResult) -> String {
     };
     let over = format!("errors are over {}", findings.laws.join(", "));
     let mut text = format!("\n{}", labelled(HEADER, "contacts", &visible(&over)));
-    let rank = result
-        .answer
-        .as_ref()
-        .and_then(|answer| Some(answer.layout.as_ref()?.rank));
-    let answers = result
-        .layouts
-        .iter()
-        .find(|layout| Some(layout.rank) == rank);
+    let answer = result.answer.as_ref();
+    let answers = answer.and_then(|answer| result.layout_of_rank(answer.layout.as_ref()?.rank));
     if let Some(layout) = answers.or(result.layouts.first()) {
         text.push_str(&by_quantity(layout));
     }

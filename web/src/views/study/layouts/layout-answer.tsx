@@ -1,6 +1,6 @@
 import { percent } from "../../../lib/format.ts";
 import { bestOfFew, isPapers, layoutWords, loadWords, LOST_DEG, short, worstLoad } from "../../../lib/layouts/layout-words.ts";
-import type { LayoutScore, RankedLayout, WorstForce } from "../../../wire.ts";
+import type { LayoutScore, RankedLayout } from "../../../wire.ts";
 
 /** What the reader came for: the layout that answers, or else the first, and what it knows; then the one with the smallest error, and the paper's. */
 export function LayoutAnswer({ layouts, answers }: { layouts: RankedLayout[]; answers: RankedLayout | null }) {
@@ -33,11 +33,6 @@ function angleWords({ simulated_p95_angle_error_deg: p95, error }: LayoutScore):
   return off == null ? `${short(p95, 2)}°, error unknown` : `${short(p95, 2)} ± ${short(off, 2)}°`;
 }
 
-/** `3.05 ± 0.35 N` */
-function forceWords({ error_n, claim_n }: WorstForce): string {
-  return claim_n == null ? `${short(error_n, 2)} N` : `${short(error_n, 2)} ± ${short(claim_n, 2)} N`;
-}
-
 function Knowledge({ layout }: { layout: RankedLayout }) {
   const { score } = layout;
   const load = worstLoad(layout);
@@ -46,10 +41,20 @@ function Knowledge({ layout }: { layout: RankedLayout }) {
     <>
       the contact angle to <strong>{angleWords(score)}</strong>
       {load !== null && `, ${at}${loadWords(load)}`}
-      {layout.worst_force != null && <>, and the vertical force to </>}
-      {layout.worst_force != null && <strong>{forceWords(layout.worst_force)}</strong>}
-      {layout.worst_force != null && layout.loads.length > 1 && ` rms, at ${short(layout.worst_force.load_n)} N`}
+      <Force layout={layout} />
       {score.lost_share != null && score.lost_share > 0 && `; ${percent(score.lost_share, 1)} % of contacts are off by more than ${LOST_DEG}°`}
+    </>
+  );
+}
+
+/** `, and the vertical force to 3.05 ± 0.35 N rms, at 34.7 N`; nothing of a result from before it had that. */
+function Force({ layout: { worst_force: force, loads } }: { layout: RankedLayout }) {
+  if (force == null) return null;
+  const off = force.claim_n == null ? "" : ` ± ${short(force.claim_n, 2)}`;
+  return (
+    <>
+      , and the vertical force to <strong>{`${short(force.error_n, 2)}${off} N`}</strong> rms
+      {loads.length > 1 && `, at ${short(force.load_n)} N`}
     </>
   );
 }
