@@ -839,7 +839,7 @@ export interface components {
          * @enum {string}
          */
         FileFormat: "csv" | "json" | "parquet" | "vtu" | "glb" | "svg";
-        /** @description Glued films solved with the tire around the wheel, in a table on undragged ground; errors are over the largest signal of their kind. */
+        /** @description Glued films solved with the tire around the wheel, on undragged ground; errors are over the largest signal of their kind. */
         FilmAnglesReport: {
             /** @description Mesh level of the tire with a film. */
             level: string;
@@ -847,7 +847,7 @@ export interface components {
             angles_deg: number[];
             /** @description Loads, N. */
             loads_n: number[];
-            /** @description Solves between them that tested the table; 0 where it isn't tested, or where one of them has no equilibrium. */
+            /** @description Solves between them that tested the signals; 0 where none did, or where one of them has no equilibrium. */
             tested: number;
             /**
              * Format: double
@@ -861,7 +861,7 @@ export interface components {
             signal_worst?: number | null;
             /**
              * Format: double
-             * @description The largest error that a transfer without this axis would have.
+             * @description The largest error of a transfer alone, which is solved for films above the contact.
              */
             transfer_worst: number;
         };
@@ -1608,6 +1608,7 @@ export interface components {
             /** @description The loads at which layouts are scored. */
             loads: components["schemas"]["LayoutLoad"][];
             contacts?: components["schemas"]["ContactFindings"] | null;
+            films?: components["schemas"]["FilmAnglesReport"] | null;
             /** @description Menu of layouts, where the document names none. */
             menu?: components["schemas"]["MenuFindings"];
             /** @description Layouts that no other beats with as few films, least films first. */
@@ -4561,12 +4562,11 @@ export interface components {
              */
             least_distance_mm: number;
             /**
-             * @description Model of the films: `bare`, or `transfer`: glued on with their stiffness, by the transfer of two coupled solves, and read in volts.
-             * @default bare
+             * @description Model of the films: `bare`; or glued on with their stiffness and read in volts: `coupled`, solved with the tire around the wheel, or `transfer`, by two coupled solves of a film above the contact. `coupled` when left out of a study that has a film.
              * @enum {string}
              */
-            film: "bare" | "transfer";
-            /** @description Length and width of all films, mm; points when left out, the glued film's with `transfer`. */
+            film?: "bare" | "transfer" | "coupled";
+            /** @description Length and width of all films, mm; points when left out, the glued film's where it is glued on. */
             size_mm?: number[];
             /** @description Further lengths and widths that the candidates have, mm. */
             candidate_sizes_mm?: number[][];

@@ -3,6 +3,7 @@
 use documents::parts::film_place::FilmPlace;
 use serde::{Deserialize, Serialize};
 
+use crate::film::FilmAnglesReport;
 /// Findings of a study's layouts together: loads, knees, fronts, kinds of film.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct LayoutFindings {
@@ -21,6 +22,9 @@ pub struct LayoutFindings {
     /// Contacts as they come, where the document has their laws.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub contacts: Option<ContactFindings>,
+    /// Films that are glued on and solved with the tire around the wheel: how far their signals are off, and would be by a transfer alone.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub films: Option<FilmAnglesReport>,
     /// Menu of layouts, where the document names none.
     #[serde(default)]
     pub menu: MenuFindings,

@@ -29,7 +29,7 @@ impl<'t> LaidFilms<'t> {
             ..
         } = signal_of_tension(film, [0.0; 2]);
         let full_scale =
-            |film: &LaidFilm| charge_nc(table.largest_signal(film.kind), capacitance_pf);
+            |film: &LaidFilm| charge_nc(table.largest_of_kind(film.kind), capacitance_pf);
         Self {
             table,
             capacitance_pf,

@@ -4,21 +4,20 @@
 //! - `table_scenes`: the scenes, and those that test the table
 //! - `drag_basis`: how a response depends on the ground's shift
 //! - `solved_table`: signals and forces between what was solved
-//! - `film_angles`: glued films around the wheel, solved with the tire; `angle_residual`: what their transfer misses
+//! - `table_films`: what glued films are pressed by, and where what their transfer misses is added
 //! - `table_error`: how far they are off
 //! - `bare_film`: a bare film as a kind whose signal is in volts
 //! - [`laid_films`]: a layout's films, as a rig asks for them
 //! - `table_solving`: the solves, as points of a study; [`study_table`]: those of a study with a rig; `measuring_forces`: puts what it shows into the result
 
-pub(crate) mod angle_residual;
 pub(crate) mod bare_film;
 pub(crate) mod drag_basis;
-mod film_angles;
 pub mod laid_films;
 pub(crate) mod measuring_forces;
 pub(crate) mod solved_table;
 pub mod study_table;
 pub(crate) mod table_error;
+mod table_films;
 pub(crate) mod table_scenes;
 pub(crate) mod table_settings;
 pub(crate) mod table_solving;

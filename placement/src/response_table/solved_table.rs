@@ -2,6 +2,7 @@
 
 use fem_client::solver::{Response, Ring};
 
+use crate::layout::solving::glued::angle_residual::AngleResidual;
 use crate::layout::solving::layout_fields::samples;
 use crate::layout::solving::layout_scenes::readout;
 use crate::layout::solving::mirror_parts::{mirrored, part};
@@ -165,18 +166,7 @@ impl ResponseTable {
     /// The depth that bears a load, N, up to the largest, mm.
     pub fn depth_of_load_mm(&self, load_n: f64) -> f64 {
         let load_n = load_n.clamp(0.0, self.settings.largest_load_n);
-        let load_at = |depth_mm: f64| self.load_of(&self.depths.shares(depth_mm)[0]);
-        let [mut low, mut high] = self.depths.ends();
-        // Halved until nothing is between both: the force grows with the depth.
-        while low < 0.5 * (low + high) && 0.5 * (low + high) < high {
-            let middle = 0.5 * (low + high);
-            if load_at(middle) < load_n {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        high
+        self.depths.place_of(load_n, |node| self.loads_n[node])
     }
 
     /// The shift along or across at a depth up to which the table was solved, mm.
@@ -199,19 +189,18 @@ impl ResponseTable {
     }
 
     /// The largest signal of a kind of film, whatever the load, the shift and the place.
-    pub(crate) fn largest_signal(&self, kind: usize) -> f64 {
+    pub(crate) fn largest_of_kind(&self, kind: usize) -> f64 {
         let samples = self.kinds[kind].undragged.iter().flat_map(Turn::samples);
         samples.fold(0.0, |largest: f64, sample| largest.max(sample.abs()))
     }
 
-    /// Adds to a kind's signals on undragged ground what is given at each depth, mm, and wheel angle, degrees.
-    pub(crate) fn add_undragged(&mut self, kind: usize, added: impl Fn(f64, f64) -> f64) {
+    /// Adds to a kind's signals on undragged ground what its transfer misses.
+    pub(crate) fn add_undragged(&mut self, kind: usize, missing: &AngleResidual) {
         let undragged = &mut self.kinds[kind].undragged;
         for (turn, depth_mm) in undragged.iter_mut().zip(self.depths.places()) {
-            let samples = turn.samples().iter().zip(-180..);
-            let samples =
-                samples.map(|(sample, degree)| sample + added(*depth_mm, f64::from(degree)));
-            *turn = Turn::new(samples.collect());
+            let mut samples = turn.samples().to_vec();
+            missing.add_to(*depth_mm, &mut samples);
+            *turn = Turn::new(samples);
         }
     }
 
@@ -488,7 +477,7 @@ pub(crate) mod tests {
             [1.5, 9.0].map(|depth| table.samples(0, &table.weights(depth, [0.0; 2])));
         assert_eq!(deepest, deeper);
         assert_eq!(table.force_n(&table.weights(0.0, [0.1, 0.1])), [0.0; 3]);
-        assert!((table.largest_signal(0) - 1.5).abs() < 1e-12);
+        assert!((table.largest_of_kind(0) - 1.5).abs() < 1e-12);
     }
 
     #[test]

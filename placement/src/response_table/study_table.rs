@@ -2,18 +2,18 @@
 
 use fem_client::scene::Film;
 
+use crate::layout::solving::glued::film_angles::FilmAngles;
 use crate::layout::solving::study_layouts::Asked;
 use crate::points::Place;
 use crate::points::RunContext;
 use crate::points::RunError;
 use crate::points::SceneSeries;
 use crate::response_table::bare_film::bare_in_volts;
-use crate::response_table::film_angles::FilmAngles;
 use crate::response_table::laid_films::LaidFilms;
+use crate::response_table::table_films::film_loads;
 use crate::response_table::table_scenes::TableScenes;
 use crate::response_table::table_settings::TableSettings;
 use crate::response_table::table_solving::{TestedTable, solve, table_series, tabulated};
-use crate::signals::answers::check_transferable;
 use documents::rig::rig_settings::{RigSettings, TireVariant};
 use documents::signals::signal_settings::SignalSettings;
 use documents::study::Study;
@@ -109,18 +109,16 @@ impl StudyTable {
 
     fn series_on(&self, scenes: &TableScenes) -> Vec<SceneSeries> {
         let mut series = Vec::from(table_series(scenes, &self.kinds));
-        let glued = self.glued_films(scenes);
-        if let Some(films) = glued.filter(|_| check_transferable(&self.film).is_ok()) {
-            series.extend(films.series());
-        }
+        series.extend(self.glued_films(scenes).iter().flat_map(FilmAngles::series));
         series.retain(|series| !series.scenes.is_empty());
         series
     }
 
     /// The films as they are glued on; none where they follow the wall.
-    fn glued_films<'s>(&'s self, scenes: &'s TableScenes) -> Option<FilmAngles<'s>> {
-        let films = FilmAngles::new(&self.film, &self.kinds, scenes);
-        self.glued.then_some(films)
+    fn glued_films(&self, scenes: &TableScenes) -> Option<FilmAngles<'_>> {
+        let loads = || film_loads(scenes, self.kinds.len());
+        self.glued
+            .then(|| FilmAngles::new(&self.film, &self.kinds, loads()))
     }
 
     /// The layout that a row of the result is of; none of those that a search found.
@@ -209,14 +207,15 @@ impl StudyTable {
         let Some(films) = self.glued_films(scenes) else {
             return Ok(tabulated(scenes, &self.kinds, &solved));
         };
-        if let Err(reason) = check_transferable(&self.film) {
-            return Ok(Err(reason));
-        }
         let answers = films.solve(means, place, context)?;
         Ok(answers.and_then(|answers| {
             let kinds = films.in_volts(&answers)?;
             let mut tested = tabulated(scenes, &kinds, &solved)?;
-            tested.films = Some(films.put(&answers, &kinds, &mut tested.table)?);
+            let loads = scenes.settings().film_loads_n();
+            let depth = |load_n: &f64| tested.table.depth_of_load_mm(*load_n);
+            let depths: Vec<f64> = loads.iter().map(depth).collect();
+            let (_, report) = films.put(&answers, (&kinds, &depths), &mut tested.table)?;
+            tested.films = Some(report);
             Ok(tested)
         }))
     }
@@ -230,7 +229,7 @@ impl StudyTable {
 /// The layouts' glued film, or that of the signals; where the study asks for none that of the scene, or a common one; of the layouts' size.
 fn film_of(study: &Study) -> Film {
     let film = match (&study.layouts.glued, &study.signals) {
-        (Some(glued), _) => return glued.clone(),
+        (Some(glued), _) => return glued.film.clone(),
         (None, Some(signals)) => signals.film.clone(),
         (None, None) => SignalSettings::on(&study.scene).film,
     };

@@ -29,7 +29,7 @@ pub(crate) fn table_error(
             .collect();
         add(
             &compared?,
-            table.largest_signal(number),
+            table.largest_of_kind(number),
             [&mut signals, &mut over_angle, &mut over_depth],
         );
     }

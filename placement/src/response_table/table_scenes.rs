@@ -4,14 +4,13 @@ use fem_client::scene::Scene;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 
+use crate::layout::solving::glued::film_angles::FARTHEST_TEST_DEG;
 use crate::response_table::drag_basis::{DRAGS, SHARES};
 use crate::response_table::table_settings::{FILM_TESTS, PAIR_SHARE, PAIRS, TableSettings};
 use documents::rig::rig_settings::TireVariant;
 
 /// The least load at which a table is tested, over the largest.
 const LEAST_TESTED: f64 = 0.1;
-/// Glued films are tested up to so many degrees from the contact.
-const FARTHEST_FILM_DEG: f64 = 30.0;
 /// Tested shifts stay within this share of the largest along and across together.
 const FARTHEST_TESTED: f64 = 0.95;
 
@@ -36,7 +35,7 @@ impl Pressing {
 
 /// All that is solved for a table.
 #[derive(Debug, Clone, PartialEq)]
-pub struct TableScenes {
+pub(crate) struct TableScenes {
     /// The bare tire.
     tire: Scene,
     settings: TableSettings,
@@ -133,7 +132,7 @@ impl TableScenes {
         let mut even = self.draws(1 + kind as u64);
         let count = if self.tested { FILM_TESTS } else { 0 };
         let film = |_| {
-            let theta_deg = FARTHEST_FILM_DEG * (2.0 * even() - 1.0);
+            let theta_deg = FARTHEST_TEST_DEG * (2.0 * even() - 1.0);
             let share = LEAST_TESTED + (1.0 - LEAST_TESTED) * even();
             (theta_deg, self.settings.largest_load_n * share)
         };

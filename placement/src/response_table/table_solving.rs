@@ -3,13 +3,13 @@
 use fem_client::scene::Scene;
 use fem_client::solver::Response;
 
-use crate::layout::solving::measuring_layouts::outcomes;
 use crate::layout::solving::mirror_parts::mirrored;
 use crate::points::Place;
 use crate::points::RunContext;
 use crate::points::RunError;
 use crate::points::SceneSeries;
 use crate::points::archive::Outcome;
+use crate::points::outcomes;
 use crate::response_table::drag_basis::DRAGS;
 use crate::response_table::solved_table::ResponseTable;
 use crate::response_table::table_error::table_error;

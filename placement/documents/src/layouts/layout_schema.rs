@@ -1,10 +1,10 @@
 //! Describes the table `layouts`.
 
-use document::Value;
 use document::fields::Range;
 use document::json_schema::{Properties, Schemas};
 use document::typed::field_value::Field;
 use document::typed::lists::{Each, Entries};
+use document::{Choice, Value};
 use fem_client::scene::{DEPTH, LOAD, Level};
 use fem_client::solver::Position;
 use serde_json::json;
@@ -16,6 +16,7 @@ use crate::layouts::layout_bounds::{
 };
 use crate::layouts::layout_settings::{Layouts, NOISE_SHARE};
 use crate::parts::distribution_reader::distribution_schema;
+use crate::parts::film_model::FilmModel;
 
 /// A section angle; a scene bounds it more narrowly, a wall's thickness off the bead.
 const SECTION: Range = Range::new(-180.0, 180.0, "degrees");
@@ -77,11 +78,12 @@ fn describe_which(layouts: &mut Properties, schemas: &mut Schemas) {
 /// Describes the fields of their films.
 fn describe_films(layouts: &mut Properties, schemas: &mut Schemas) {
     let mut add = |name, doc, schema, default| layouts.add(name, doc, schema, default, false);
-    let films = json!({"type": "string", "enum": ["bare", "transfer"]});
-    let doc = "Model of the films: `bare`, or `transfer`: glued on with their stiffness, by the transfer of two coupled solves, and read in volts.";
-    add("film", doc, films, Some("bare".into()));
+    let models = FilmModel::CHOICES.iter().map(|choice| choice.0);
+    let films = json!({"type": "string", "enum": models.collect::<Vec<_>>()});
+    let doc = "Model of the films: `bare`; or glued on with their stiffness and read in volts: `coupled`, solved with the tire around the wheel, or `transfer`, by two coupled solves of a film above the contact. `coupled` when left out of a study that has a film.";
+    add("film", doc, films, None);
     let size = <[f64; 2]>::schema(&Each::of("", SIDE), schemas);
-    let doc = "Length and width of all films, mm; points when left out, the glued film's with `transfer`.";
+    let doc = "Length and width of all films, mm; points when left out, the glued film's where it is glued on.";
     add("size_mm", doc, size.clone(), None);
     let sizes =
         json!({"type": "array", "maxItems": MOST_SIZES, "uniqueItems": true, "items": size});

@@ -47,7 +47,7 @@ pub struct Layouts {
     /// Further lengths and widths of the candidates, mm.
     pub candidate_sizes_mm: Vec<[f64; 2]>,
     /// The film that is glued on, wherever it is placed; none: films follow the wall and resist nothing.
-    pub glued: Option<Film>,
+    pub glued: Option<GluedFilm>,
     /// Loads; none: the study's mean depth, or its load.
     pub loads: LayoutLoads,
     /// Errors of a film's reading.
@@ -62,6 +62,24 @@ pub struct Layouts {
     pub level: Option<Level>,
     /// Search for the best layouts.
     pub search: Option<SearchSettings>,
+}
+
+/// A film that is glued on.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GluedFilm {
+    /// The film.
+    pub film: Film,
+    /// Whether it is solved with the tire around the wheel; else its transfer is all that is known of it.
+    pub is_coupled: bool,
+}
+
+impl GluedFilm {
+    fn model(&self) -> FilmModel {
+        match self.is_coupled {
+            true => FilmModel::Coupled,
+            false => FilmModel::Transfer,
+        }
+    }
 }
 
 /// A layout film by film.
@@ -287,8 +305,8 @@ impl Layouts {
             put("free", free.collect());
         }
         self.limits.write("taken", &mut put);
-        if self.glued.is_some() {
-            put("film", FilmModel::Transfer.as_str().into());
+        if let Some(glued) = &self.glued {
+            put("film", glued.model().as_str().into());
         }
         if let Some(size) = self.size_mm {
             put("size_mm", json!(size));

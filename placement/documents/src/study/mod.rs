@@ -29,6 +29,7 @@ use sha2::{Digest, Sha256};
 use crate::layouts::layout_settings::Layouts;
 use crate::parts::directions::Directions;
 use crate::parts::distribution_reader::distribution_value;
+use crate::parts::film_model::FilmModel;
 use crate::rig::rig_settings::RigSettings;
 use crate::signals::signal_settings::SignalSettings;
 use crate::study::candidate_reader::{Candidates, Points};
@@ -135,6 +136,9 @@ impl Study {
                 Accuracy::Budget(seconds) => json!({"budget_s": seconds}),
             },
         });
+        if self.layouts.is_asked() && self.layouts.glued.is_none() && self.has_film() {
+            document["layouts"]["film"] = FilmModel::Bare.as_str().into();
+        }
         if let Some(document) = document.as_object_mut() {
             let signals = self.signals.as_ref().map(SignalSettings::to_value);
             let rig = self.rig.as_ref().map(table_value);
@@ -144,6 +148,11 @@ impl Study {
             }
         }
         document.to_string()
+    }
+
+    /// Whether it has a film, so that layouts' films are glued on where the document doesn't say bare ones.
+    fn has_film(&self) -> bool {
+        self.scene.film.is_some() || self.signals.is_some()
     }
 
     /// SHA-256 of the canonical text, in hexadecimal digits.

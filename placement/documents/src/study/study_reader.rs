@@ -9,13 +9,15 @@ use document::fields::{Fields, Range, alternatives};
 use document::typed::field_value::Field;
 use document::typed::table_fields::optional;
 use document::{Format, parse};
-use fem_client::scene::{Film, Level, Scene};
+use fem_client::scene::{Level, Scene};
 use gsa::method::{Kind, Method};
 use serde_json::Value;
 
 use crate::layouts::layout_settings::Layouts;
+use crate::layouts::reading::film_size_reader::StudyFilm;
 use crate::layouts::reading::layout_reader::layouts;
 use crate::parts::directions::Directions;
+use crate::parts::film_model::FilmModel;
 use crate::parts::scene_reader::{Resolve, scene};
 use crate::rig::rig_settings::RigSettings;
 use crate::signals::signal_reader::signals;
@@ -75,7 +77,12 @@ impl Study {
     /// # Errors
     /// Every fault of the document, in this version.
     pub fn from_canonical(text: &str) -> Result<Self, Vec<Fault>> {
-        let value = parse(text, Format::Json)?;
+        let mut value = parse(text, Format::Json)?;
+        if let Some(layouts) = value.get_mut("layouts").and_then(Value::as_object_mut) {
+            // Texts of versions that knew no other default say nothing of bare films.
+            let film = layouts.entry("film");
+            film.or_insert_with(|| FilmModel::Bare.as_str().into());
+        }
         let no_files = |path: &str| Err(format!("a stored study names the file {path:?}"));
         let mut faults = Vec::new();
         let study = read(&value, &no_files, &mut faults);
@@ -244,10 +251,16 @@ fn question(
 }
 
 /// The film of the signals; where the study asks for none, that of the scene, or a common one.
-fn film_of(signals: Option<&Option<SignalSettings>>, scene: Option<&Scene>) -> Option<Film> {
+fn film_of(signals: Option<&Option<SignalSettings>>, scene: Option<&Scene>) -> Option<StudyFilm> {
     match signals? {
-        Some(signals) => Some(signals.film.clone()),
-        None => scene.map(|scene| SignalSettings::on(scene).film),
+        Some(signals) => Some(StudyFilm {
+            film: signals.film.clone(),
+            is_named: true,
+        }),
+        None => scene.map(|scene| StudyFilm {
+            film: SignalSettings::on(scene).film,
+            is_named: scene.film.is_some(),
+        }),
     }
 }
 

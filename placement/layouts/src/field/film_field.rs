@@ -108,6 +108,11 @@ impl DepthFields {
         summed(&value, |node| self.forces_n[node])
     }
 
+    /// Depth that bears a vertical force, N, within the solved range, mm.
+    pub fn depth_mm(&self, force_n: f64) -> f64 {
+        self.depths.place_of(force_n, |node| self.forces_n[node])
+    }
+
     /// The fields at so many depths, two or more, evenly from the least solved one to the largest.
     pub fn evenly(&self, count: usize) -> Vec<LoadField> {
         let [low, high] = self.depths.ends();

@@ -207,6 +207,21 @@ impl Nodes {
         [self.places[0], self.places[self.places.len() - 1]]
     }
 
+    /// The place at which samples that grow from node to node reach a value, within the ends.
+    pub fn place_of(&self, value: f64, of_node: impl Fn(usize) -> f64) -> f64 {
+        let [mut low, mut high] = self.ends();
+        // Halved until nothing is between both.
+        while low < 0.5 * (low + high) && 0.5 * (low + high) < high {
+            let middle = 0.5 * (low + high);
+            if summed(&self.shares(middle)[0], &of_node) < value {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        high
+    }
+
     /// Shares of the samples in the value and in the derivative at a place, which is taken into the range.
     pub fn shares(&self, place: f64) -> [Shares; 2] {
         let [low, high] = self.ends();

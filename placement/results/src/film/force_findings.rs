@@ -50,7 +50,7 @@ pub struct TableReport {
     pub films: Option<FilmAnglesReport>,
 }
 
-/// Glued films solved with the tire around the wheel, in a table on undragged ground; errors are over the largest signal of their kind.
+/// Glued films solved with the tire around the wheel, on undragged ground; errors are over the largest signal of their kind.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct FilmAnglesReport {
     /// Mesh level of the tire with a film.
@@ -59,13 +59,13 @@ pub struct FilmAnglesReport {
     pub angles_deg: Vec<f64>,
     /// Loads, N.
     pub loads_n: Vec<f64>,
-    /// Solves between them that tested the table; 0 where it isn't tested, or where one of them has no equilibrium.
+    /// Solves between them that tested the signals; 0 where none did, or where one of them has no equilibrium.
     pub tested: usize,
     /// Root mean square of their signals' errors; null where nothing was tested.
     pub signal_rms: Option<f64>,
     /// The largest; null where nothing was tested.
     pub signal_worst: Option<f64>,
-    /// The largest error that a transfer without this axis would have.
+    /// The largest error of a transfer alone, which is solved for films above the contact.
     pub transfer_worst: f64,
 }
 

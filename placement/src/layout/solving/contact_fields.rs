@@ -5,6 +5,7 @@ use std::ops::RangeInclusive;
 use fem_client::solver::Response;
 
 use crate::layout::solving::contact_scenes::{ContactScenes, PlannedAxis, Stepped};
+use crate::layout::solving::glued::angle_residual::AngleResidual;
 use crate::layout::solving::layout_fields::{CONTACT, samples};
 use crate::layout::solving::mirror_parts::image;
 use crate::points::archive::Outcome;
@@ -28,6 +29,8 @@ pub(crate) struct SolvedContacts<'s> {
     pub kinds: &'s [FilmKind],
     /// Fields of the usual contact.
     pub fields: &'s DepthFields,
+    /// Residuals of the transfers of films that are solved around the wheel, by kind, whatever the contact; none of others.
+    pub missing: &'s [AngleResidual],
 }
 
 /// Force and signals of a contact.
@@ -107,17 +110,26 @@ impl SolvedContacts<'_> {
             let value = value(axis, quantity, step, response)?;
             match axis.stepped {
                 Stepped::Camber | Stepped::Shift(1) => {
-                    above.push(node(value, &self.read(response, [false, false])?));
-                    below.insert(0, node(-value, &self.read(response, [false, true])?));
+                    above.push(node(value, &self.read(response, depth_mm, [false, false])?));
+                    below.insert(
+                        0,
+                        node(-value, &self.read(response, depth_mm, [false, true])?),
+                    );
                 }
                 Stepped::Shift(_) => {
-                    above.push(node(value, &self.read(response, [false, false])?));
-                    below.insert(0, node(-value, &self.read(response, [true, false])?));
+                    above.push(node(value, &self.read(response, depth_mm, [false, false])?));
+                    below.insert(
+                        0,
+                        node(-value, &self.read(response, depth_mm, [true, false])?),
+                    );
                 }
                 Stepped::Station(_) | Stepped::Pressure => {
                     let is_image = solved.stepped != axis.stepped;
                     let side = if step < 0.0 { &mut below } else { &mut above };
-                    side.push(node(value, &self.read(response, [is_image, false])?));
+                    side.push(node(
+                        value,
+                        &self.read(response, depth_mm, [is_image, false])?,
+                    ));
                 }
             }
         }
@@ -136,17 +148,22 @@ impl SolvedContacts<'_> {
         }
     }
 
-    /// A contact, or its image before and behind, or left and right.
-    fn read(&self, response: &Response, mirrors: [bool; 2]) -> Result<Read, String> {
+    /// A contact at a depth, or its image before and behind, or left and right.
+    fn read(&self, response: &Response, depth_mm: f64, mirrors: [bool; 2]) -> Result<Read, String> {
         let rings = image(self.kinds, mirrors, &response.rings);
         let signals = rings.and_then(|rings| {
             let kinds = self.kinds.iter();
             let signals = kinds.map(|kind| samples(&rings, kind, self.kinds));
             signals.collect::<Option<_>>()
         });
+        let mut signals: Vec<Vec<f64>> =
+            signals.ok_or("the solver gives no strains around the wheel")?;
+        for (samples, missing) in signals.iter_mut().zip(self.missing) {
+            missing.add_to(depth_mm, samples);
+        }
         Ok(Read {
             force_n: response.reaction_n,
-            signals: signals.ok_or("the solver gives no strains around the wheel")?,
+            signals,
         })
     }
 
@@ -167,7 +184,7 @@ impl SolvedContacts<'_> {
                     "of the contacts that all differ at once one has no equilibrium: {unsolved}"
                 )
             })?;
-            let found = self.read(response, [false, false])?;
+            let found = self.read(response, check.depth_mm, [false, false])?;
             let given: Vec<Given> = check.steps.iter().copied().map(Given::Step).collect();
             let contact = surface.contact(check.depth_mm, &given);
             forces.add([found.force_n - surface.force_n(&contact)], 1.0);

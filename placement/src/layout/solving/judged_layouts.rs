@@ -26,8 +26,8 @@ use layouts::ranking::screening::{Limits, competitors, kept};
 use layouts::simulate::draws::Draws;
 use layouts::simulate::simulation::SAMPLES;
 use results::{
-    ContactFindings, Knee, LayoutFindings, LayoutLoad, LoadShear, MenuFindings, RankedLayout,
-    StrainRing,
+    ContactFindings, FilmAnglesReport, Knee, LayoutFindings, LayoutLoad, LoadShear, MenuFindings,
+    RankedLayout, StrainRing,
 };
 
 /// Simulated readings of a scored layout over those of one that is screened.
@@ -41,6 +41,8 @@ pub(crate) struct Answer<'s> {
     pub coarse: Option<(MeshFields, Coarser)>,
     /// Error of the response surface over contacts, where they differ.
     pub contacts: Option<ContactFindings>,
+    /// Glued films solved around the wheel, where they are.
+    pub films: Option<FilmAnglesReport>,
 }
 
 impl Answer<'_> {
@@ -121,6 +123,7 @@ impl Answer<'_> {
                 .as_ref()
                 .map(|(_, coarser)| coarser.level.as_str().to_owned()),
             contacts: self.contacts.clone(),
+            films: self.films.clone(),
             menu,
             front: front(&layouts),
             tau_of_bound: tau_of_bound(&layouts),

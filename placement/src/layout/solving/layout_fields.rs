@@ -22,6 +22,8 @@ pub struct MeshFields {
     pub fields: DepthFields,
     /// Depth of each load asked for, mm, or why it wasn't reached.
     pub loads: Vec<Result<f64, String>>,
+    /// Depth of the load in the middle, mm.
+    middle_mm: f64,
     /// The crown's largest signal at the load in the middle.
     pub crown: f64,
     /// Reasons why something is missing that was asked for.
@@ -76,22 +78,35 @@ pub fn mesh_fields(
         contacts: None,
         spread: None,
     };
-    let (middle, _) = solved(scenes.middle())
+    let (middle_mm, _) = solved(scenes.middle())
         .map_err(|reason| format!("The load in the middle has no equilibrium: {reason}"))?;
-    let at_middle = fields.at(middle);
-    let crown = at_middle.kinds[..2]
-        .iter()
-        .flat_map(|kind| kind.signal.samples());
-    let crown = crown.fold(0.0, |largest: f64, strain| largest.max(strain.abs()));
-    if crown == 0.0 {
-        return Err("The crown feels nothing, so that layouts have no scores.".to_owned());
-    }
-    Ok(MeshFields {
+    let mut mesh = MeshFields {
         fields,
         loads,
-        crown,
+        middle_mm,
+        crown: 0.0,
         reasons: Vec::new(),
-    })
+    };
+    mesh.crown = mesh.crown_signal()?;
+    Ok(mesh)
+}
+
+impl MeshFields {
+    /// The crown's largest signal at the load in the middle.
+    ///
+    /// # Errors
+    /// The crown feels nothing.
+    pub(crate) fn crown_signal(&self) -> Result<f64, String> {
+        let at_middle = self.fields.at(self.middle_mm);
+        let crown = at_middle.kinds[..2]
+            .iter()
+            .flat_map(|kind| kind.signal.samples());
+        let crown = crown.fold(0.0, |largest: f64, signal| largest.max(signal.abs()));
+        match crown > 0.0 {
+            true => Ok(crown),
+            false => Err("The crown feels nothing, so that layouts have no scores.".to_owned()),
+        }
+    }
 }
 
 /// Signal of one kind of film around the wheel: the mean over its points, a linear function of what the lines read.

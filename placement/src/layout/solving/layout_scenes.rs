@@ -42,7 +42,8 @@ pub struct LayoutScenes {
 }
 
 impl Pressed {
-    fn value(self) -> f64 {
+    /// Value of the depth, mm, or the force, N.
+    pub(crate) fn value(self) -> f64 {
         match self {
             Self::Depth(value) | Self::Force(value) => value,
         }
@@ -122,20 +123,56 @@ impl LayoutScenes {
 
     /// The scenes of what is solved, on a level.
     pub fn scenes(&self, level: Level) -> Vec<Scene> {
-        let on_level = |load: &Pressed| {
-            let mut scene = pressed(&self.tire, *load).unwrap_or_else(|| self.tire.clone());
-            scene.model.level = level;
-            scene
-        };
-        self.solved.iter().map(on_level).collect()
+        let loads = self.solved.iter();
+        loads.map(|load| self.pressed_by(*load, level)).collect()
+    }
+
+    /// The tire under a flat ground, on a level.
+    pub(crate) fn pressed_by(&self, load: Pressed, level: Level) -> Scene {
+        let mut scene = pressed(&self.tire, load).unwrap_or_else(|| self.tire.clone());
+        scene.model.level = level;
+        scene
+    }
+
+    /// A depth or a force of this value, as the loads are.
+    pub(crate) fn like(&self, value: f64) -> Pressed {
+        match self.loads[0] {
+            Pressed::Depth(_) => Pressed::Depth(value),
+            Pressed::Force(_) => Pressed::Force(value),
+        }
+    }
+
+    /// Loads at which glued films are solved around the wheel, increasing: those asked for, and the least and the largest that are solved.
+    pub(crate) fn loads_of_films(&self) -> Vec<Pressed> {
+        let mut sorted = self.solved.clone();
+        sorted.sort_by(|a, b| a.value().total_cmp(&b.value()));
+        let ends = [sorted[0], sorted[sorted.len() - 1]];
+        sorted.retain(|load| self.loads.contains(load) || ends.contains(load));
+        sorted
+    }
+
+    /// The least and the largest load at which glued films are tested: of a single one asked for those solved beside it.
+    pub(crate) fn ends_of_tests(&self) -> [f64; 2] {
+        let [least, largest] = self.ends_asked();
+        match self.loads.len() {
+            1 => [BESIDE[0] * least, BESIDE[1] * largest],
+            _ => [least, largest],
+        }
+    }
+
+    /// The least and the largest load asked for.
+    fn ends_asked(&self) -> [f64; 2] {
+        let asked = self.asked().into_iter();
+        asked.fold([f64::INFINITY, 0.0], |[low, high], value| {
+            [f64::min(low, value), f64::max(high, value)]
+        })
     }
 
     /// The loads asked for, each with the ground dragged along the wheel and across it at once, by [`LayoutScenes::shift_mm`].
     pub fn sheared(&self, level: Level) -> Vec<Scene> {
         let dragged = |load: &Pressed| {
-            let mut scene = pressed(&self.tire, *load).unwrap_or_else(|| self.tire.clone());
+            let mut scene = self.pressed_by(*load, level);
             scene.ground.shift_mm = [self.shift_mm(); 2];
-            scene.model.level = level;
             scene
         };
         self.loads.iter().map(dragged).collect()
@@ -162,12 +199,7 @@ impl LayoutScenes {
     /// Depths at which contacts are solved that differ from the usual one, mm: those asked for, the middle one first, and where these are fewer than three a little
     /// beyond them on both sides.
     pub(crate) fn depths_of_contacts(&self) -> Vec<f64> {
-        let [least, largest] = self
-            .asked()
-            .into_iter()
-            .fold([f64::INFINITY, 0.0], |[low, high], value| {
-                [f64::min(low, value), f64::max(high, value)]
-            });
+        let [least, largest] = self.ends_asked();
         let ends = match self.loads.len() {
             ..3 => vec![BEYOND[0] * least, BEYOND[1] * largest],
             _ => Vec::new(),

@@ -4,7 +4,9 @@ use fem_client::scene::Level;
 use fem_client::solver::{Coarser, Readout, Solver};
 
 use crate::layout::solving::contact_scenes::ContactScenes;
-use crate::layout::solving::glued_films::GluedFilms;
+use crate::layout::solving::glued::film_angles::FilmAngles;
+use crate::layout::solving::glued::layout_films::film_loads;
+use crate::layout::solving::glued::transfers::GluedFilms;
 use crate::layout::solving::judged_layouts::FULL_TO_SHORT;
 use crate::layout::solving::layout_scenes::LayoutScenes;
 use crate::layout::solving::mirror_parts::mirrored;
@@ -39,14 +41,22 @@ pub(crate) fn layout_series(study: &Study, plan: &Plan, solver: &dyn Solver) -> 
     let (level, coarser) = levels(study, plan, solver);
     let levels = std::iter::once(level).chain(coarser.map(|coarser| coarser.level));
     let glued = study.layouts.glued.as_ref();
-    let glued = glued.filter(|film| check_transferable(film).is_ok());
+    let glued = glued.filter(|glued| check_transferable(&glued.film).is_ok());
     let mut series = Vec::new();
     for on_level in levels {
         series.push(scenes.series(on_level, kinds));
-        if let Some(film) = glued {
-            let films = GluedFilms::of_layouts(film, &scenes, kinds, on_level);
-            let from_first = |scenes| SceneSeries::from_first(scenes, Readout::default());
-            series.extend(films.series().map(from_first));
+        if let Some(glued) = glued {
+            series.extend(match glued.is_coupled {
+                true => {
+                    let loads = film_loads(&scenes, kinds.len(), on_level, on_level == level);
+                    FilmAngles::new(&glued.film, kinds, loads).series()
+                }
+                false => {
+                    let films = GluedFilms::of_layouts(&glued.film, &scenes, kinds, on_level);
+                    let from_first = |scenes| SceneSeries::from_first(scenes, Readout::default());
+                    films.series().map(from_first).collect()
+                }
+            });
         }
         if let Some(contacts) = ContactScenes::of(&scenes, &study.layouts.contacts) {
             series.extend(contacts.series(on_level, kinds));

@@ -1,11 +1,14 @@
 //! Solves what layouts ask for, after the study's own points, and puts layouts and what they show into its result.
 
-use fem_client::scene::{Level, Scene};
-use fem_client::solver::{Readout, Solver};
+use fem_client::scene::Level;
+use fem_client::solver::Solver;
 
 use crate::layout::solving::contact_fields::SolvedContacts;
 use crate::layout::solving::contact_scenes::ContactScenes;
-use crate::layout::solving::glued_films::GluedFilms;
+use crate::layout::solving::glued::angle_residual::AngleResidual;
+use crate::layout::solving::glued::film_angles::{FilmAngles, FilmAnswers};
+use crate::layout::solving::glued::layout_films::{PressedFields, film_loads};
+use crate::layout::solving::glued::transfers::GluedFilms;
 use crate::layout::solving::judged_layouts::Answer;
 use crate::layout::solving::layout_fields::{MeshFields, mesh_fields};
 use crate::layout::solving::layout_scenes::LayoutScenes;
@@ -17,7 +20,7 @@ use crate::points::Place;
 use crate::points::RunContext;
 use crate::points::RunError;
 use crate::points::archive::Outcome;
-use crate::points::{Answers, PointSeries, SceneSeries, answers_of_all};
+use crate::points::{SceneSeries, outcomes_of_all};
 use crate::score::map_slopes::MapSlopes;
 use documents::study::Study;
 use documents::study::plan::Plan;
@@ -26,7 +29,8 @@ use layouts::field::film_field::DepthFields;
 use layouts::field::response_surface::Drawn;
 use layouts::ranking::asked_layouts::AskedLayout;
 use results::{
-    ContactFindings, GradedNote, LayoutFindings, LayoutScore, RankedLayout, StudyResult, Topic,
+    ContactFindings, FilmAnglesReport, GradedNote, LayoutFindings, LayoutScore, RankedLayout,
+    StudyResult, Topic,
 };
 
 const ORDER_NOTE: &str = "Layouts are in the order of their simulated error (95th percentile at the worst load) times the root of the number of films; their \
@@ -101,9 +105,11 @@ pub(crate) fn both_meshes<'s>(
     let means = &plan.values()[0];
     let pressed = outcomes_of_all(&loads, means, &mut place, context)?;
     let mut answers = Vec::new();
-    for mesh in meshes.into_iter().zip(pressed) {
+    for (mesh, pressed) in meshes.into_iter().zip(pressed) {
+        // The finer mesh alone is tested.
         answers.push(mesh_answer(
-            mesh,
+            (mesh, answers.is_empty()),
+            pressed,
             scenes,
             (asked, study, means),
             &mut place,
@@ -118,7 +124,10 @@ pub(crate) fn both_meshes<'s>(
         Some(contacts) => differ(&mut answers, &contacts, asked, means, &mut place, context)?,
         None => None,
     };
-    let fine = answers.remove(0).map(|answer| answer.fields);
+    let (fine, films) = match answers.remove(0) {
+        Ok(answer) => (Ok(answer.fields), answer.films),
+        Err(reason) => (Err(reason), None),
+    };
     let coarse = coarser.and_then(|coarser| Some((answers.pop()?.ok()?.fields, coarser)));
     let answer = fine.map(|fine| Answer {
         level,
@@ -126,6 +135,7 @@ pub(crate) fn both_meshes<'s>(
         fine,
         coarse,
         contacts: judged,
+        films,
     });
     Ok((answer, place.first - first))
 }
@@ -142,12 +152,16 @@ struct MeshAnswer {
     /// Kinds of film, with their volts where they are glued.
     kinds: Vec<FilmKind>,
     fields: MeshFields,
+    /// Residuals of the transfers of films that are solved around the wheel, by kind; none of others.
+    missing: Vec<AngleResidual>,
+    films: Option<FilmAnglesReport>,
 }
 
 /// Answer of one mesh whose loads were solved; films glued on are solved now, and the place moves behind their points. Without the first load there is nothing to
 /// start from: that costs the layouts, not the study.
 fn mesh_answer(
-    (level, pressed): (Level, Result<Vec<Outcome>, String>),
+    (level, tested): (Level, bool),
+    pressed: Result<Vec<Outcome>, String>,
     scenes: &LayoutScenes,
     (asked, study, means): (&Asked, &Study, &[f64]),
     place: &mut Place,
@@ -157,24 +171,63 @@ fn mesh_answer(
         Ok(pressed) => pressed,
         Err(reason) => return Ok(Err(format!("Layouts have no scores: {reason}"))),
     };
-    let mut kinds = asked.kinds.all().to_vec();
-    if let Some(film) = &study.layouts.glued {
-        let glued = GluedFilms::of_layouts(film, scenes, &kinds, level);
-        kinds = match glued.kinds_in_volts(&pressed, means, place, context)? {
-            Ok(in_volts) => in_volts,
-            Err(reason) => {
-                return Ok(Err(format!(
-                    "Layouts of glued films have no scores: {reason}."
-                )));
-            }
+    let bare = asked.kinds.all();
+    let of_kinds = |kinds: Vec<FilmKind>| {
+        let fields = mesh_fields(scenes, &kinds, &pressed)?;
+        Ok(MeshAnswer {
+            level,
+            kinds,
+            fields,
+            missing: Vec::new(),
+            films: None,
+        })
+    };
+    let unscored = |reason: String| {
+        format!(
+            "Layouts of glued films have no scores, which layouts.film = \"bare\" has: {reason}."
+        )
+    };
+    Ok(match &study.layouts.glued {
+        None => of_kinds(bare.to_vec()),
+        Some(glued) if glued.is_coupled => {
+            let loads = film_loads(scenes, bare.len(), level, tested);
+            let films = FilmAngles::new(&glued.film, bare, loads);
+            let solved = films.solve(means, place, context)?.map_err(unscored);
+            solved.and_then(|solved| {
+                let mut answer = of_kinds(films.in_volts(&solved).map_err(unscored)?)?;
+                answer
+                    .add_missing(scenes, &films, &solved)
+                    .map_err(unscored)?;
+                Ok(answer)
+            })
+        }
+        Some(glued) => {
+            let films = GluedFilms::of_layouts(&glued.film, scenes, bare, level);
+            let kinds = films.kinds_in_volts(&pressed, means, place, context)?;
+            kinds.map_err(unscored).and_then(of_kinds)
+        }
+    })
+}
+
+impl MeshAnswer {
+    /// Adds to its fields what films were solved around the wheel for.
+    fn add_missing(
+        &mut self,
+        scenes: &LayoutScenes,
+        films: &FilmAngles<'_>,
+        solved: &FilmAnswers,
+    ) -> Result<(), String> {
+        let mut signals = PressedFields {
+            fields: &mut self.fields.fields,
+            scenes,
         };
+        let depths = signals.depths_mm();
+        let (missing, report) = films.put(solved, (&self.kinds, &depths), &mut signals)?;
+        self.missing = missing;
+        self.films = Some(report);
+        self.fields.crown = self.fields.crown_signal()?;
+        Ok(())
     }
-    let fields = mesh_fields(scenes, &kinds, &pressed);
-    Ok(fields.map(|fields| MeshAnswer {
-        level,
-        kinds,
-        fields,
-    }))
 }
 
 /// Adds what the ground does that is dragged, on all meshes that have fields; the place moves behind its points.
@@ -228,6 +281,7 @@ fn differ(
             scenes: contacts,
             kinds: &answer.kinds,
             fields: &answer.fields.fields,
+            missing: &answer.missing,
         };
         match of_axes.and_then(|of_axes| own.surface(&of_axes)) {
             Ok(surface) => {
@@ -253,47 +307,6 @@ fn differ(
         }
         None => None,
     })
-}
-
-/// Solves these scenes, or says why nothing came of them; the place moves behind their points.
-pub(crate) fn outcomes(
-    scenes: &[Scene],
-    readout: &Readout,
-    means: &[f64],
-    place: &mut Place,
-    context: RunContext<'_>,
-) -> Result<Result<Vec<Outcome>, String>, RunError> {
-    let series = SceneSeries::from_first(scenes.to_vec(), readout.clone());
-    let mut found = outcomes_of_all(&[series], means, place, context)?;
-    Ok(found.remove(0))
-}
-
-/// Solves several series of scenes at once; of the first alone, where nothing came of it.
-fn outcomes_of_all(
-    all: &[SceneSeries],
-    means: &[f64],
-    place: &mut Place,
-    context: RunContext<'_>,
-) -> Result<Vec<Result<Vec<Outcome>, String>>, RunError> {
-    let values = |series: &SceneSeries| vec![means.to_vec(); series.scenes.len()];
-    let values: Vec<Vec<Vec<f64>>> = all.iter().map(values).collect();
-    let series = all.iter().zip(&values);
-    let series = series.map(|(series, values)| PointSeries {
-        scenes: &series.scenes,
-        starts: series.starts.clone(),
-        values,
-        readout: &series.readout,
-    });
-    let answers = answers_of_all(&series.collect::<Vec<_>>(), *place, context)?;
-    place.first += values.iter().map(Vec::len).sum::<usize>();
-    let outcomes = |answers: Result<Answers, RunError>| match answers {
-        Ok(answers) => Ok(Ok(answers.outcomes())),
-        Err(error @ (RunError::PointsFailed { .. } | RunError::Refused { .. })) => {
-            Ok(Err(error.to_string()))
-        }
-        Err(error) => Err(error),
-    };
-    answers.into_iter().map(outcomes).collect()
 }
 
 fn without_scores(asked: &Asked, reason: &str) -> Vec<RankedLayout> {

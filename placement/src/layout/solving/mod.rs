@@ -2,7 +2,7 @@
 //!
 //! - `study_layouts`: layouts, kinds of film and places of the search, as a study asks for them
 //! - [`layout_scenes`]: a flat ground at every load
-//! - [`layout_fields`]: solved loads as fields; `glued_films`: what glued films make of the bare wall's strains
+//! - [`layout_fields`]: solved loads as fields; `glued`: what glued films make of the bare wall's strains, and beside the contact
 //! - [`shear_fields`]: what a shift of the ground changes; [`mirror_parts`]: a field's parts that are even or odd in it
 //! - `contact_scenes`: contacts as they come; `contact_fields`: the response surface that they make
 //! - `searched_layouts`: the best layouts of so many films
@@ -14,7 +14,7 @@
 
 mod contact_fields;
 mod contact_scenes;
-pub(crate) mod glued_films;
+pub(crate) mod glued;
 mod input_shifts;
 pub(crate) mod judged_layouts;
 pub mod layout_fields;

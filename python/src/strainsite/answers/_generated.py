@@ -870,8 +870,8 @@ class FailedPoint:
 
 @dataclass(frozen=True, kw_only=True)
 class FilmAnglesReport:
-    """Glued films solved with the tire around the wheel, in a table on undragged ground; errors are over the largest
-    signal of their kind."""
+    """Glued films solved with the tire around the wheel, on undragged ground; errors are over the largest signal of
+    their kind."""
 
     level: str
     """Mesh level of the tire with a film."""
@@ -880,13 +880,13 @@ class FilmAnglesReport:
     loads_n: tuple[float, ...]
     """Loads, N."""
     tested: int
-    """Solves between them that tested the table; 0 where it isn't tested, or where one of them has no equilibrium."""
+    """Solves between them that tested the signals; 0 where none did, or where one of them has no equilibrium."""
     signal_rms: float | None = None
     """Root mean square of their signals' errors; None where nothing was tested."""
     signal_worst: float | None = None
     """The largest; None where nothing was tested."""
     transfer_worst: float
-    """The largest error that a transfer without this axis would have."""
+    """The largest error of a transfer alone, which is solved for films above the contact."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -1479,6 +1479,9 @@ class LayoutFindings:
     """The loads at which layouts are scored."""
     contacts: ContactFindings | None = None
     """Contacts as they come, where the document has their laws."""
+    films: FilmAnglesReport | None = None
+    """Films that are glued on and solved with the tire around the wheel: how far their signals are off, and would be
+    by a transfer alone."""
     menu: MenuFindings | None = None
     """Menu of layouts, where the document names none."""
     front: tuple[FrontLayout, ...]

@@ -3,6 +3,7 @@
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
+use document::Choice;
 use document::fault::{Fault, entry, member};
 use document::fields::{Fields, number, shown};
 use fem_client::scene::{Film, Geometry, Scene};
@@ -10,43 +11,74 @@ use serde_json::Value;
 
 use crate::layouts::film_extent::FilmExtent;
 use crate::layouts::layout_bounds::{MOST_SIZES, SIDE};
-use crate::layouts::layout_settings::{Layouts, direction_name, farthest_section_deg};
+use crate::layouts::layout_settings::{GluedFilm, Layouts, direction_name, farthest_section_deg};
 use crate::parts::directions::Directions;
 use crate::parts::film_model::FilmModel;
 use document::typed::lists::distinct_list as list;
 
-/// Models of layouts' films, and whether they are glued: coupled ones would take a solve for each contact angle.
-const FILMS: [(&str, bool); 2] = [
-    (FilmModel::Bare.as_str(), false),
-    (FilmModel::Transfer.as_str(), true),
-];
+/// The film of a study: that of its signals or its scene, else the common one.
+pub(crate) struct StudyFilm {
+    pub film: Film,
+    /// Whether the document has one.
+    pub is_named: bool,
+}
 
 /// Reads how films are modelled and their sizes into their places, where they are given. `film` is the one that is glued on; it isn't known where the scene or the
 /// signals have faults.
 pub(crate) fn read_films(
     fields: &Fields<'_>,
     layouts: &mut Layouts,
-    film: Option<&Film>,
+    film: Option<&StudyFilm>,
     faults: &mut Vec<Fault>,
 ) {
     layouts.size_mm = fields
         .get("size_mm")
         .and_then(|(value, at)| size(value, &at, faults));
-    match fields.choice("film", &FILMS, false, faults) {
-        Some(true) => glue(film, fields, layouts, faults),
-        Some(false) if fields.get("noise_v").is_some() => {
-            let detail = "is of glued films, film = \"transfer\"; bare ones have noise_strain or noise_share";
+    let usual = usual_model(fields, layouts, film);
+    match fields.choice("film", FilmModel::CHOICES, usual, faults) {
+        Some(FilmModel::Bare) if fields.get("noise_v").is_some() => {
+            let detail = "is of glued films, film = \"coupled\" or \"transfer\"; bare ones have noise_strain or noise_share";
             Fault::add(faults, &fields.at("noise_v"), detail);
         }
-        _ => {}
+        None | Some(FilmModel::Bare) => {}
+        Some(model) => {
+            let film = film.map(|of_study| &of_study.film);
+            glue(film, model == FilmModel::Coupled, fields, layouts, faults);
+        }
     }
     if let Some((value, at)) = fields.get("candidate_sizes_mm") {
         layouts.candidate_sizes_mm = list(value, &at, MOST_SIZES, faults, size).unwrap_or_default();
     }
 }
 
+/// Model of films where none is named: those of a study that has a film are glued on, unless the table says what only bare ones have.
+fn usual_model(fields: &Fields<'_>, layouts: &Layouts, film: Option<&StudyFilm>) -> FilmModel {
+    let Some(StudyFilm {
+        film,
+        is_named: true,
+    }) = film
+    else {
+        return FilmModel::Bare;
+    };
+    let has = |name: &str| fields.get(name).is_some();
+    let own_size = [film.length_mm, film.width_mm];
+    let is_bare = has("noise_strain")
+        || has("candidate_sizes_mm")
+        || layouts.size_mm.is_some_and(|size| size != own_size);
+    match is_bare || !layouts.is_asked() {
+        true => FilmModel::Bare,
+        false => FilmModel::Coupled,
+    }
+}
+
 /// Has layouts of this film, whose size it is.
-fn glue(film: Option<&Film>, fields: &Fields<'_>, layouts: &mut Layouts, faults: &mut Vec<Fault>) {
+fn glue(
+    film: Option<&Film>,
+    is_coupled: bool,
+    fields: &Fields<'_>,
+    layouts: &mut Layouts,
+    faults: &mut Vec<Fault>,
+) {
     let of_bare_films = [
         (
             "noise_strain",
@@ -73,7 +105,10 @@ fn glue(film: Option<&Film>, fields: &Fields<'_>, layouts: &mut Layouts, faults:
         Fault::add(faults, &fields.at("size_mm"), detail);
     }
     layouts.size_mm = Some([length, width]);
-    layouts.glued = Some(film.clone());
+    layouts.glued = Some(GluedFilm {
+        film: film.clone(),
+        is_coupled,
+    });
 }
 
 /// Whether a glued film is one that this tire's scene can have.
@@ -84,7 +119,7 @@ pub(crate) fn check_film(
     faults: &mut Vec<Fault>,
 ) {
     let glued = Scene {
-        film: layouts.glued.clone(),
+        film: layouts.glued.as_ref().map(|glued| glued.film.clone()),
         ..scene.clone()
     };
     let Err(found) = Scene::from_json(&glued.canonical_json()) else {

@@ -7,7 +7,7 @@ use document::Choice;
 use document::fault::Fault;
 use document::fields::{Fields, integer, number, shown};
 use document::typed::field_value::Field;
-use fem_client::scene::{Film, Level, Scene};
+use fem_client::scene::{Level, Scene};
 use fem_client::solver::Position;
 use serde_json::Value;
 
@@ -20,7 +20,7 @@ use crate::layouts::layout_settings::{
     FreeLayout, LayoutLoads, Layouts, NoiseFloor, NoiseSettings,
 };
 use crate::layouts::reading::contact_reader::{check_contacts, contacts};
-use crate::layouts::reading::film_size_reader::{check_film, check_sizes, read_films};
+use crate::layouts::reading::film_size_reader::{StudyFilm, check_film, check_sizes, read_films};
 use crate::layouts::reading::limits_reader::gluing_limits;
 use crate::layouts::reading::overlap_check::check_overlaps;
 use crate::layouts::reading::search_reader::{check_places, search};
@@ -31,12 +31,12 @@ use document::typed::field_value::read_name;
 use document::typed::lists::distinct_list as list;
 
 /// The layouts to score: none without the table, the common ones where it names none. Section angles and sizes are checked against the scene, where it is
-/// known; films lie in the directions that the study asks for, where the table names none. `film` is the one that is glued on, where the table asks for that.
+/// known; films lie in the directions that the study asks for, where the table names none. `film` is the one that is glued on.
 pub(crate) fn layouts(
     fields: &Fields<'_>,
     scene: Option<&Scene>,
     directions: Directions,
-    film: Option<&Film>,
+    film: Option<&StudyFilm>,
     faults: &mut Vec<Fault>,
 ) -> Option<Layouts> {
     let Some((value, pointer)) = fields.get("layouts") else {

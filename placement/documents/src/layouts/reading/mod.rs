@@ -5,7 +5,7 @@
 //! - `film_size_reader`: how large films are, and whether they fit; [`overlap_check`]: layouts whose films overlap
 
 mod contact_reader;
-mod film_size_reader;
+pub(crate) mod film_size_reader;
 pub(crate) mod layout_reader;
 mod limits_reader;
 pub mod overlap_check;

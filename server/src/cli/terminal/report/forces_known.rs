@@ -5,13 +5,13 @@ use std::fmt::Write;
 use document::visible::visible;
 use results::columns::{self, Column, table_rows};
 use results::{
-    DriftError, ElsewhereError, FilmAnglesReport, ForceError, ForceFindings, RankedLayout,
-    StudyResult, TableReport,
+    DriftError, ElsewhereError, ForceError, ForceFindings, RankedLayout, StudyResult, TableReport,
 };
 use serde_json::Value;
 
 use crate::cli::terminal::figures::Figures;
 use crate::cli::terminal::paint::HEADER;
+use crate::cli::terminal::report::glued_films::glued;
 use crate::cli::terminal::report::layout_table::{DESCRIBED, NAMED, described};
 use crate::cli::terminal::wrapping::{labelled, wrapped};
 
@@ -205,26 +205,4 @@ fn below(findings: &ForceFindings) -> String {
         + &reasons
             .map(|reason| wrapped(&visible(reason), 0))
             .collect::<String>()
-}
-
-/// Says how far the volts of glued films are off beside the contact.
-fn glued(films: &FilmAnglesReport) -> String {
-    let off = match (films.signal_worst, films.signal_rms) {
-        (Some(worst), Some(rms)) => format!(
-            "off by {:.1} % of full scale at most, {:.1} % rms, at {} solves between them",
-            100.0 * worst,
-            100.0 * rms,
-            films.tested
-        ),
-        _ => "not tested".to_owned(),
-    };
-    wrapped(
-        &format!(
-            "Glued films are solved with the tire ({}) at {} angles from the contact: {off}; their transfer alone would be off by {:.1} %.",
-            visible(&films.level),
-            films.angles_deg.len(),
-            100.0 * films.transfer_worst
-        ),
-        0,
-    )
 }

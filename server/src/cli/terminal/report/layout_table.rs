@@ -9,6 +9,7 @@ use results::{RankedLayout, StudyResult};
 
 use crate::cli::terminal::figures::Figures;
 use crate::cli::terminal::paint::{FAINT, GOOD, HEADER, painted};
+use crate::cli::terminal::report::glued_films::glued;
 use crate::cli::terminal::report::shared_rank::rank_cell;
 use crate::cli::terminal::wrapping::{cut, labelled, wrapped};
 
@@ -73,6 +74,7 @@ fn films(result: &StudyResult) -> String {
     let sized = findings.and_then(|findings| Some((findings.size_mm?, &findings.unit)));
     let score = result.layouts.first().map(|layout| &layout.score);
     let noise = score.and_then(|score| score.noise_strain.or(score.noise_v));
+    let coupled = findings.and_then(|findings| findings.films.as_ref());
     match (sized, noise.filter(|noise| *noise > 0.0)) {
         (Some(([length, width], unit)), Some(noise)) => {
             let film = if unit == VOLT_UNIT {
@@ -82,6 +84,7 @@ fn films(result: &StudyResult) -> String {
             };
             let unit = unit.escape_debug();
             format!("{film} of {length} x {width} mm, noise {noise:.3e} {unit}\n")
+                + &coupled.map(glued).unwrap_or_default()
         }
         _ => String::new(),
     }

@@ -5,6 +5,7 @@
 //! - `film_table`: films against errors
 //! - `ranked_table`, `layout_table`, `signal_table`: places, layouts, films' signals
 //! - `contact_table`: what contacts as they come do to the best layout
+//! - `glued_films`: how far glued films' signals are off
 //! - `forces_known`: what a virtual rig shows of layouts
 //! - `study_notes`: what to know, by what it does to the answer
 //! - `study_figures`: the way to the accuracy asked for, and what it all took
@@ -15,6 +16,7 @@ mod answer_text;
 mod contact_table;
 mod film_table;
 mod forces_known;
+mod glued_films;
 mod layout_table;
 pub(crate) mod next_steps;
 mod ranked_table;

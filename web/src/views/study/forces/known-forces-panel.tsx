@@ -2,17 +2,9 @@ import { heading, view } from "../../../lib/study/figures/columns.ts";
 import { fixed } from "../../../lib/format.ts";
 import { AXIS_WORDS, bestKnown, floorOf, type KnownForce, knownForces, rangeByDrift, untoldAxes } from "../../../lib/layouts/known-forces.ts";
 import { layoutWords } from "../../../lib/layouts/layout-words.ts";
-import {
-  DRIFTS_COLUMNS,
-  ELSEWHERE_COLUMNS,
-  type FilmAnglesReport,
-  FORCES_COLUMNS,
-  type ForceFindings,
-  type ForcePrice,
-  type RankedLayout,
-  type TableReport,
-} from "../../../wire.ts";
+import { DRIFTS_COLUMNS, ELSEWHERE_COLUMNS, FORCES_COLUMNS, type ForceFindings, type ForcePrice, type RankedLayout, type TableReport } from "../../../wire.ts";
 import { FigureCells } from "../figure-cells.tsx";
+import { GluedNote } from "./glued-note.tsx";
 import { ScrollTable, words } from "../../shared/scroll-table.tsx";
 
 /** How well forces are known by layouts' films, learnt from a virtual rig's runs. */
@@ -167,20 +159,6 @@ function TableNote({ table }: { table: TableReport }) {
       {table.error == null
         ? "; a load that tests it has no equilibrium."
         : `: off by ${fixed(100 * table.error.signal_worst, 2)} % of a film's full scale at most, ${fixed(100 * table.error.signal_rms, 3)} % rms, at ${table.error.solves} solves that it wasn't made of.`}
-    </p>
-  );
-}
-
-/** Glued films beside the contact: how far they are off, and would be without their own solves. */
-function GluedNote({ films }: { films: FilmAnglesReport }) {
-  const off =
-    films.signal_worst == null
-      ? "not tested"
-      : `off by ${fixed(100 * films.signal_worst, 1)} % of full scale at most, ${fixed(100 * (films.signal_rms ?? 0), 1)} % rms, at ${films.tested} solves between them`;
-  return (
-    <p class="quiet">
-      Glued films are solved with the tire on the {films.level} mesh at {films.angles_deg.length} angles from the contact: {off}. Their transfer alone would be
-      off by {fixed(100 * films.transfer_worst, 1)} %.
     </p>
   );
 }

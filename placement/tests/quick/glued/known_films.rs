@@ -1,33 +1,60 @@
-//! A virtual rig on glued films: their angle to the contact as an axis of the table.
+//! Tires whose films have a known transfer, and more beside the contact.
 
-use documents::study::Study;
 use fem_client::closed_form::ClosedFormSolver;
+use fem_client::scene::Film;
+use fem_client::solver::direction::PerDirection;
 use fem_client::solver::gauge::Gauge;
 use fem_client::solver::{
-    NoEquilibrium, Reached, Readout, SolveError, SolveRequest, Solved, Solver,
+    Extremes, FilmMeans, FilmSignal, FilmState, NoEquilibrium, Reached, Readout, SolveError,
+    SolveRequest, Solved, Solver,
 };
-use results::FilmAnglesReport;
-use serde_json::json;
 
-use crate::glued_layouts::glued;
-use crate::support::{MemoryArchive, observed};
+/// Tensions along and across, N/mm, by strains along and across.
+const TRANSFER: [[f64; 2]; 2] = [[40.0, 3.0], [2.0, 30.0]];
+
+pub fn tension(strain: [f64; 2]) -> [f64; 2] {
+    TRANSFER.map(|row| row[0] * strain[0] + row[1] * strain[1])
+}
+
+/// Returns what a film gives where the bare wall has these strains along and across.
+pub fn glued(film: &Film, strain: [f64; 2]) -> FilmState {
+    let [[a, b, _], ..] = film.laminate().membrane;
+    let ([n, m], determinant) = (tension(strain), a * a - b * b);
+    let means = FilmMeans {
+        area: film.length_mm * film.width_mm,
+        added: [
+            (a * n - b * m) / determinant,
+            (a * m - b * n) / determinant,
+            0.0,
+        ],
+        ..FilmMeans::default()
+    };
+    let any = || PerDirection::of(|_| Extremes { min: 1.0, max: 1.0 });
+    FilmState {
+        stretch: any(),
+        tension_n_per_mm: any(),
+        signal: FilmSignal::of(film, &means),
+        bare: None,
+        error: None,
+    }
+}
 
 /// Volts that glued films give beyond their transfer, at a depth of 1 mm, opposite the contact.
 const BEYOND_V: f64 = 100.0;
 
 /// A tire whose glued films have a known transfer and, beside the contact, something more.
-struct MoreBeside {
+pub struct MoreBeside {
     /// Whether films between whole degrees, which only test the table, have an equilibrium.
-    between_degrees: bool,
+    pub between_degrees: bool,
 }
 
 /// 13 N at 1 mm, with the power of 1.3.
-fn depth_of_load_mm(load_n: f64) -> f64 {
+pub fn depth_of_load_mm(load_n: f64) -> f64 {
     (load_n / 13.0).powf(1.0 / 1.3)
 }
 
 /// A parabola in the angle and in the depth: the table's cubics meet it.
-fn beyond_v(depth_mm: f64, theta_deg: f64) -> f64 {
+pub fn beyond_v(depth_mm: f64, theta_deg: f64) -> f64 {
     BEYOND_V * depth_mm * (1.0 - 0.1 * depth_mm) * (theta_deg / 180.0).powi(2)
 }
 
@@ -95,50 +122,4 @@ impl Solver for MoreBeside {
         }
         Ok(solved)
     }
-}
-
-fn films(solver: &MoreBeside) -> FilmAnglesReport {
-    let document = json!({
-        "name": "glued films on a rig",
-        "scene": {"preset": "foot-tire", "film": {"length_mm": 1e-3, "width_mm": 1e-3}},
-        "inputs": [{
-            "name": "P3",
-            "vary": "ground.depths_mm[2]",
-            "distribution": {"kind": "uniform", "min": 0.7, "max": 1.3},
-        }],
-        "layouts": {"units": [6], "section_deg": [0], "depths_mm": [0.5, 1], "level": "draft", "film": "transfer"},
-        "method": {"kind": "mdrm", "nodes": 3, "check_points": 0},
-        "accuracy": {"preset": "draft"},
-        "rig": {"runs": 2, "gait": {"stances": 8}},
-    });
-    let study = Study::from_value(&document, &|path| Err(path.to_owned())).unwrap();
-    let archive = MemoryArchive::default();
-    let result = observed(&study, solver, &archive, 2).0.unwrap();
-    let forces = result.forces.unwrap();
-    let table = forces
-        .table
-        .unwrap_or_else(|| panic!("{:?}", forces.reasons));
-    table.films.unwrap()
-}
-
-/// A transfer of films above the contact misses what they give beside it; the table doesn't.
-#[test]
-fn what_films_give_beside_the_contact_is_in_the_table() {
-    let films = films(&MoreBeside {
-        between_degrees: true,
-    });
-    assert_eq!((films.level.as_str(), films.tested), ("draft", 10));
-    let (worst, missed) = (films.signal_worst.unwrap(), films.transfer_worst);
-    assert!(missed > 0.1, "{missed}");
-    // What is left is the bare strains between loads and degrees.
-    assert!(worst < 0.01 * missed, "{worst} of {missed}");
-}
-
-#[test]
-fn a_film_that_only_tests_the_table_does_not_cost_it() {
-    let films = films(&MoreBeside {
-        between_degrees: false,
-    });
-    assert_eq!((films.tested, films.signal_worst), (0, None));
-    assert!(films.transfer_worst > 0.1, "{}", films.transfer_worst);
 }

@@ -43,6 +43,13 @@ impl AngleResidual {
             summed(&over_depth, |depth| self.missing[angle][depth])
         })
     }
+
+    /// Adds the residual at a depth, mm, to samples around the wheel, one each degree from -180.
+    pub fn add_to(&self, depth_mm: f64, samples: &mut [f64]) {
+        for (sample, degree) in samples.iter_mut().zip(-180..) {
+            *sample += self.at(depth_mm, f64::from(degree));
+        }
+    }
 }
 
 #[cfg(test)]
