@@ -4562,7 +4562,7 @@ export interface components {
              */
             least_distance_mm: number;
             /**
-             * @description Model of the films: `bare`; or glued on with their stiffness and read in volts: `coupled`, solved with the tire around the wheel, or `transfer`, by two coupled solves of a film above the contact. `coupled` when left out of a study that has a film.
+             * @description Model of the films: `bare`; or glued on with their stiffness and read in volts: `coupled`, solved with the tire around the wheel, or `transfer`, by two coupled solves of a film above the contact. `coupled` when left out of a study whose scene or signals have a film glued on.
              * @enum {string}
              */
             film?: "bare" | "transfer" | "coupled";

@@ -80,7 +80,7 @@ fn describe_films(layouts: &mut Properties, schemas: &mut Schemas) {
     let mut add = |name, doc, schema, default| layouts.add(name, doc, schema, default, false);
     let models = FilmModel::CHOICES.iter().map(|choice| choice.0);
     let films = json!({"type": "string", "enum": models.collect::<Vec<_>>()});
-    let doc = "Model of the films: `bare`; or glued on with their stiffness and read in volts: `coupled`, solved with the tire around the wheel, or `transfer`, by two coupled solves of a film above the contact. `coupled` when left out of a study that has a film.";
+    let doc = "Model of the films: `bare`; or glued on with their stiffness and read in volts: `coupled`, solved with the tire around the wheel, or `transfer`, by two coupled solves of a film above the contact. `coupled` when left out of a study whose scene or signals have a film glued on.";
     add("film", doc, films, None);
     let size = <[f64; 2]>::schema(&Each::of("", SIDE), schemas);
     let doc = "Length and width of all films, mm; points when left out, the glued film's where it is glued on.";

@@ -108,6 +108,11 @@ impl SignalSettings {
         settings
     }
 
+    /// Whether any of its films is glued on.
+    pub fn has_glued(&self) -> bool {
+        self.films.iter().any(|film| *film != FilmModel::Bare)
+    }
+
     /// The table as in a document, every default filled in.
     pub fn to_value(&self) -> Value {
         json!({

@@ -150,9 +150,10 @@ impl Study {
         document.to_string()
     }
 
-    /// Whether it has a film, so that layouts' films are glued on where the document doesn't say bare ones.
+    /// Whether it has a film that is glued on, so that those of layouts are where the document doesn't say otherwise.
     fn has_film(&self) -> bool {
-        self.scene.film.is_some() || self.signals.is_some()
+        let of_signals = self.signals.as_ref().is_some_and(SignalSettings::has_glued);
+        self.scene.film.is_some() || of_signals
     }
 
     /// SHA-256 of the canonical text, in hexadecimal digits.

@@ -255,7 +255,7 @@ fn film_of(signals: Option<&Option<SignalSettings>>, scene: Option<&Scene>) -> O
     match signals? {
         Some(signals) => Some(StudyFilm {
             film: signals.film.clone(),
-            is_named: true,
+            is_named: signals.has_glued(),
         }),
         None => scene.map(|scene| StudyFilm {
             film: SignalSettings::on(scene).film,

@@ -238,6 +238,8 @@ fn layouts_of_a_study_with_a_film_have_it_glued_on() {
     assert_eq!(read(&without).layouts.glued, None);
     without["signals"] = json!({"film": {"length_mm": 12, "width_mm": 4}, "positions": ["crown"]});
     assert_eq!(read(&without).layouts.size_mm, Some([12.0, 4.0]));
+    without["signals"]["films"] = json!(["bare"]);
+    assert_eq!(read(&without).layouts.glued, None);
 }
 
 /// Texts that were kept before films were glued on by default.

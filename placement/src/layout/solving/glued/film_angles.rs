@@ -243,7 +243,8 @@ impl<'s> FilmAngles<'s> {
             .filter(|load| answers.bare[*load].is_ok())
             .collect();
         let depths_mm: Vec<f64> = solved.iter().map(|load| depths_mm[*load]).collect();
-        if depths_mm.is_empty() || depths_mm.windows(2).any(|pair| pair[1] <= pair[0]) {
+        let increase = depths_mm.windows(2).all(|pair| pair[0] < pair[1]);
+        if !increase || depths_mm.first().is_none_or(|depth| *depth <= 0.0) {
             return Err("a larger load has no larger depth".to_owned());
         }
         let (mut of_transfer, mut of_all) = (Errors::default(), Some(Errors::default()));
