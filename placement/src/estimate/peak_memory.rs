@@ -22,6 +22,8 @@ const POOLS: (f64, f64, f64, f64) = (1.7, 26.0, 40.0, 3.5);
 const FILM: f64 = 2e6;
 /// Memory of the tangents that are kept for further loads of layouts, in meshes in work. The shipped study took 903 to 1069 MB in seventeen runs.
 const CHAINED: f64 = 0.2;
+/// Meshes that layouts are solved on, at most.
+const MESHES: usize = 2;
 /// Memory of a search for each place that films may have, bytes: the shares of both criteria.
 const PLACE: f64 = 100e3;
 /// Memory of a solve of deep contact beside its mesh, bytes on the draft mesh: borders that are widened again and again, of as many nodes as a surface has.
@@ -46,9 +48,8 @@ pub(super) fn memory_bytes(work: &Workload, stages: &[Stage], machine: &Machine)
 
 fn solving(stage: &Stage, machine: &Machine) -> f64 {
     let (few, few_points, another, most) = POOLS;
-    let solves = (stage.own.len() + stage.extra.expected) as f64;
-    let pools = (few + (solves - few_points).max(0.0) / another).min(most);
-    let of_series = |series: &Vec<Point>, kept: f64| {
+    let pools = |solves: usize| (few + (solves as f64 - few_points).max(0.0) / another).min(most);
+    let of_series = |series: &Vec<Point>, kept: f64, pools: f64| {
         let own = |point: &&Point| {
             point.task.how == How::Afresh || point.task.friction || point.task.deep
         };
@@ -64,11 +65,17 @@ fn solving(stage: &Stage, machine: &Machine) -> f64 {
         };
         pools * largest.fold(0.0, f64::max) * meshes + contact
     };
-    let all = stage.series().map(|series| of_series(series, 0.0));
+    let own = pools(stage.own.len() + stage.extra.expected);
+    let all = stage.series().map(|series| of_series(series, 0.0, own));
+    // Flat ground is a series on each mesh; glued films and contacts are many.
+    let many = match stage.layouts.len() {
+        ..=MESHES => own,
+        _ => own.max(pools(stage.layouts.iter().map(Vec::len).sum())),
+    };
     let layouts = stage
         .layouts
         .iter()
-        .map(|series| of_series(series, CHAINED));
+        .map(|series| of_series(series, CHAINED, many));
     all.chain(layouts).fold(0.0, f64::max)
 }
 

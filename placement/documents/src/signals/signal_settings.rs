@@ -109,7 +109,7 @@ impl SignalSettings {
     }
 
     /// Whether any of its films is glued on.
-    pub fn has_glued(&self) -> bool {
+    pub(crate) fn has_glued(&self) -> bool {
         self.films.iter().any(|film| *film != FilmModel::Bare)
     }
 
