@@ -4,7 +4,7 @@ use crate::layout::solving::glued::angle_residual::AngleResidual;
 use crate::layout::solving::glued::film_angles::{FilmLoad, FilmLoads, FilmTest, TurnedSignals};
 use crate::response_table::solved_table::ResponseTable;
 use crate::response_table::table_scenes::{Pressing, TableScenes};
-use documents::signals::series::loads_of_transfer;
+use documents::signals::series::numbers_of_transfer;
 
 /// Number of the load that is solved first.
 const FIRST_LOAD: usize = 2;
@@ -13,11 +13,6 @@ const FIRST_LOAD: usize = 2;
 pub(crate) fn film_loads(scenes: &TableScenes, kinds: usize) -> FilmLoads {
     let settings = scenes.settings();
     let loads = settings.film_loads_n();
-    let number = |load_n: f64| loads.iter().position(|other| *other == load_n);
-    let of_transfer = loads_of_transfer(&loads).and_then(|[first, second]| {
-        let (first, second) = (number(first)?, number(second)?);
-        Some([first, second])
-    });
     let load = |load_n: &f64| FilmLoad {
         name: format!("{load_n} N"),
         bare: scenes.scene(&Pressing::undragged(*load_n)),
@@ -33,7 +28,7 @@ pub(crate) fn film_loads(scenes: &TableScenes, kinds: usize) -> FilmLoads {
         level: settings.film_level.as_str().to_owned(),
         loads: loads.iter().map(load).collect(),
         first: FIRST_LOAD,
-        of_transfer,
+        of_transfer: numbers_of_transfer(&loads),
         tests: (0..kinds).map(tests).collect(),
     }
 }

@@ -221,6 +221,13 @@ pub fn loads_of_transfer(loads: &[f64]) -> Option<[f64; 2]> {
     Some([first, nearest(2.0 * largest / 3.0, Some(first))?])
 }
 
+/// Numbers of those two loads.
+pub fn numbers_of_transfer(loads: &[f64]) -> Option<[usize; 2]> {
+    let number = |load: f64| loads.iter().position(|other| *other == load);
+    let [first, second] = loads_of_transfer(loads)?;
+    Some([number(first)?, number(second)?])
+}
+
 fn own_pressure(tire: &Scene, load_n: f64, contact_deg: f64) -> Pressing {
     Pressing {
         load_n,

@@ -8,9 +8,8 @@ use crate::layout::solving::glued::film_angles::{
     FARTHEST_TEST_DEG, FilmLoad, FilmLoads, FilmTest, TurnedSignals,
 };
 use crate::layout::solving::layout_scenes::{LayoutScenes, Pressed};
-use documents::signals::series::loads_of_transfer;
+use documents::signals::series::numbers_of_transfer;
 use layouts::field::film_field::DepthFields;
-use layouts::field::hermite::{DEGREES, Turn, summed};
 
 /// Solves that test each kind of film: with friction one takes as long as ten others.
 const TESTS: u32 = 2;
@@ -24,11 +23,6 @@ pub(crate) fn film_loads(
 ) -> FilmLoads {
     let loads = scenes.loads_of_films();
     let values: Vec<f64> = loads.iter().map(|load| load.value()).collect();
-    let number = |value: f64| values.iter().position(|other| *other == value);
-    let of_transfer = loads_of_transfer(&values).and_then(|[first, second]| {
-        let (first, second) = (number(first)?, number(second)?);
-        Some([first, second])
-    });
     let tests = |kind: usize| match tested {
         true => tests(scenes, kind, level),
         false => Vec::new(),
@@ -37,7 +31,7 @@ pub(crate) fn film_loads(
     FilmLoads {
         level: level.as_str().to_owned(),
         first: first.unwrap_or_default(),
-        of_transfer,
+        of_transfer: numbers_of_transfer(&values),
         tests: (0..kinds).map(tests).collect(),
         loads: loads
             .into_iter()
@@ -100,10 +94,7 @@ impl TurnedSignals for PressedFields<'_> {
 
     fn signal(&self, kind: usize, angle_deg: f64, pressing: f64) -> f64 {
         let depth_mm = self.depth_mm(self.scenes.like(pressing));
-        let [value, _] = self.fields.depths.shares(depth_mm);
-        let samples = &self.fields.signals[kind];
-        let sample = |degree: usize| summed(&value, |node| samples[node][degree]);
-        Turn::new((0..DEGREES).map(sample).collect()).at(angle_deg)
+        self.fields.at(depth_mm).kinds[kind].signal.at(angle_deg)
     }
 
     fn largest_signal(&self, kind: usize) -> f64 {
