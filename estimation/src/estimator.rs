@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::error_metrics::interval::factor_by;
 use crate::features::{GROUPS, StreamSettings, columns};
 use crate::model::contract::{FitError, Prediction};
-use crate::recipe::{FeatureSet, Kind, Recipe, SplitKind};
+use crate::recipe::{FeatureSet, Kind, MOST_BASELINE_S, Recipe, SplitKind};
 use crate::recording::named_columns::NamedColumns;
 use crate::relations::learnt_relations::Relations;
 use crate::rows::{LabelledRows, Runs, Start};
@@ -108,6 +108,9 @@ pub struct Stream {
     pub smooth_rows: usize,
     /// Rows of rolling mean and variance.
     pub window_rows: usize,
+    /// Seconds of the baseline's median; `None` where no model reads what is over it, as in models of earlier versions.
+    #[serde(default)]
+    pub baseline_s: Option<f64>,
     /// A longer time between rows is a pause, s.
     pub pause_s: f64,
 }
@@ -151,6 +154,7 @@ impl Stream {
             rate_hz: recipe.preprocess.rate_hz,
             smooth_rows: recipe.preprocess.smooth_rows,
             window_rows: recipe.features.window_rows,
+            baseline_s: recipe.features.baseline_s(),
             pause_s: runs.pause_s,
         }
     }
@@ -163,6 +167,7 @@ impl Stream {
             turn_sign: self.turn_sign,
             smooth_rows: self.smooth_rows,
             window_rows: self.window_rows,
+            baseline_s: self.baseline_s,
             pause_s: self.pause_s,
         }
     }
@@ -172,11 +177,16 @@ impl Stream {
         let windows = (1..=MOST_ROWS).contains(&self.smooth_rows)
             && (1..=MOST_ROWS).contains(&self.window_rows)
             && (1..=MOST_START_ROWS).contains(&self.start_rows);
-        if windows && positive(self.pause_s) && self.rate_hz.is_none_or(positive) {
-            Ok(())
-        } else {
-            Err("the stream's windows, pause and rate must be positive".to_owned())
+        let seconds = |x: f64| positive(x) && x <= MOST_BASELINE_S;
+        if !(windows && positive(self.pause_s) && self.rate_hz.is_none_or(positive)) {
+            return Err("the stream's windows, pause and rate must be positive".to_owned());
         }
+        if !self.baseline_s.is_none_or(seconds) {
+            return Err(format!(
+                "the stream's baseline must have 0 to {MOST_BASELINE_S} s"
+            ));
+        }
+        Ok(())
     }
 }
 

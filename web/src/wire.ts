@@ -795,10 +795,10 @@ export interface components {
             detail: string;
         };
         /**
-         * @description A set of features (the ablations of the paper's tables 4 and 5), in the order of their sizes.
+         * @description A set of features, in the order of their sizes.
          * @enum {string}
          */
-        FeatureSet: "raw" | "slopes" | "rolling" | "all";
+        FeatureSet: "raw" | "baseline" | "slopes" | "rolling" | "all" | "whole";
         /** @description A fidelity as it stands in documents. */
         FidelityReport: {
             /** @description Mesh level. */
@@ -2452,7 +2452,8 @@ export interface components {
              *         "rolling",
              *         "all"
              *       ],
-             *       "window_rows": 10
+             *       "window_rows": 10,
+             *       "baseline_s": 1.5
              *     }
              */
             features: components["schemas"]["FeaturesDocument"];
@@ -5397,12 +5398,17 @@ export interface components {
              *       "all"
              *     ]
              */
-            sets: ("raw" | "slopes" | "rolling" | "all")[];
+            sets: ("raw" | "baseline" | "slopes" | "rolling" | "all" | "whole")[];
             /**
              * @description Rows of the rolling mean and variance.
              * @default 10
              */
             window_rows: number;
+            /**
+             * @description Seconds of the median that is a signal's baseline.
+             * @default 1.5
+             */
+            baseline_s: number;
         };
         /** @description Models that are tried, and how each is learnt. */
         ModelsDocument: {

@@ -7,6 +7,8 @@
 
 pub(crate) mod column_names;
 mod cycle_rule;
+mod feature_sets;
+mod field_rules;
 pub mod time_unit;
 
 use document::fault::Fault;
@@ -17,6 +19,9 @@ use document::{Choice, Format, Table, Value, parse};
 use serde::{Deserialize, Serialize};
 
 pub use cycle_rule::CycleRule;
+pub(crate) use feature_sets::MOST_BASELINE_S;
+pub use feature_sets::{FeatureSet, Features, USUAL_BASELINE_S};
+use field_rules::{MOST_WINDOW, each_once};
 use time_unit::TimeUnit;
 
 const SECONDS: Range = Range::new(1e-6, 1e9, "s");
@@ -24,7 +29,6 @@ const HERTZ: Range = Range::new(1e-6, 1e6, "Hz");
 const DEVIATIONS: Range = Range::new(1.0, 1000.0, "robust deviations");
 const DECAY: Range = Range::new(0.0, 1e6, "");
 const TIME_CONSTANT: Range = Range::new(0.0, 1e9, "s");
-const MOST_WINDOW: u64 = 10_000;
 const MOST_START_ROWS: u64 = 1000;
 const MOST_LAYERS: usize = 8;
 const NODES: (u64, u64) = (1, 256);
@@ -158,42 +162,6 @@ pub enum Scale {
     Normalise,
     /// Features as they are.
     Off,
-}
-
-/// Features that models are given of the signals.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, Table)]
-#[table(rule = check_sets(sets))]
-#[serde(deny_unknown_fields)]
-pub struct Features {
-    /// The sets that are tried.
-    #[field(default = FeatureSet::ALL.to_vec(), within = Entries::of(1, FeatureSet::ALL.len(), "entries", ()))]
-    pub sets: Vec<FeatureSet>,
-    /// Rows of the rolling mean and variance.
-    #[field(default = 10, within = (2, MOST_WINDOW))]
-    pub window_rows: usize,
-}
-
-/// A set of features (the ablations of the paper's tables 4 and 5), in the order of their sizes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Choice)]
-pub enum FeatureSet {
-    /// The signals.
-    Raw,
-    /// Signals and their slopes.
-    Slopes,
-    /// Signals, their rolling means and variances.
-    Rolling,
-    /// Signals, slopes, means and variances, all of them.
-    All,
-}
-
-impl FeatureSet {
-    /// The smallest set that holds both.
-    pub fn with(self, other: Self) -> Self {
-        match (self, other) {
-            (Self::Slopes, Self::Rolling) | (Self::Rolling, Self::Slopes) => Self::All,
-            _ => self.max(other),
-        }
-    }
 }
 
 /// Models that are tried, and how each is learnt.
@@ -390,24 +358,12 @@ mod output {
     }
 }
 
-fn check_sets(sets: &[FeatureSet], fields: &Fields<'_>, faults: &mut Vec<Fault>) {
-    each_once(sets, "sets", fields, faults);
-}
-
 fn check_kinds(kinds: &[Kind], fields: &Fields<'_>, faults: &mut Vec<Fault>) {
     each_once(kinds, "kinds", fields, faults);
     let learnt = |kind: &Kind| !matches!(kind, Kind::Mean | Kind::Blend);
     if kinds.contains(&Kind::Blend) && !kinds.iter().any(learnt) {
         let detail = "must name a model beside \"blend\", which is the median of others";
         Fault::add(faults, &fields.at("kinds"), detail);
-    }
-}
-
-fn each_once<T: PartialEq>(items: &[T], name: &str, fields: &Fields<'_>, faults: &mut Vec<Fault>) {
-    let is_there_before =
-        |(place, item): (usize, &T)| items.iter().take(place).any(|other| other == item);
-    if items.iter().enumerate().any(is_there_before) {
-        Fault::add(faults, &fields.at(name), "must name each entry once");
     }
 }
 
@@ -438,8 +394,9 @@ mod tests {
             scale = "normalise"
             pause_s = 0.5
             [features]
-            sets = ["raw", "all"]
+            sets = ["raw", "baseline"]
             window_rows = 5
+            baseline_s = 0.8
             [models]
             kinds = ["gpr", "ann"]
             seed = 7
@@ -466,7 +423,8 @@ mod tests {
         assert_eq!(read.columns.forces, Some(vec!["fz".to_owned()]));
         assert_eq!(read.preprocess.rate_hz, Some(200.0));
         assert_eq!(read.preprocess.suspect_rows, SuspectRows::LeaveOut);
-        assert_eq!(read.features.sets, [FeatureSet::Raw, FeatureSet::All]);
+        assert_eq!(read.features.sets, [FeatureSet::Raw, FeatureSet::Baseline]);
+        assert_eq!(read.features.baseline_s(), Some(0.8));
         assert_eq!(read.models.gpr.lengths, Lengths::Each);
         assert_eq!(read.models.ann.layers, [5]);
         assert_eq!(read.models.ann.activation, Activation::Softmax);

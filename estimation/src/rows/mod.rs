@@ -242,6 +242,7 @@ impl Runs {
             turn_sign: recipe.preprocess.turn_sign,
             smooth_rows: recipe.preprocess.smooth_rows,
             window_rows: recipe.features.window_rows,
+            baseline_s: recipe.features.baseline_s(),
             pause_s: self.pause_s,
         }
     }

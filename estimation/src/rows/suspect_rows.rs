@@ -108,6 +108,7 @@ mod tests {
             turn_sign: true,
             smooth_rows: 2,
             window_rows: 3,
+            baseline_s: Some(3.0),
             pause_s: 5.0,
         };
         let samples = [
@@ -123,6 +124,8 @@ mod tests {
         // Values 1/2, 1/2: the slope between them is 0, and the spike is in neither difference.
         assert_eq!(of_group(1), [4, 6]);
         assert_eq!(of_group(2), [4, 5, 6, 7]);
+        // The median of four values isn't moved by two of them.
+        assert_eq!(of_group(4), [4, 5]);
         let readings: Vec<usize> = (0..20).filter(|row| rows[*row].reading).collect();
         assert_eq!(readings, [4]);
         let labels: Vec<usize> = (0..20).filter(|row| forces[[*row, 1]]).collect();

@@ -78,9 +78,9 @@ mod tests {
             features
         };
         let [a, b, ..] = moved(7)[..] else {
-            panic!("eight features")
+            panic!("two signals")
         };
-        assert_eq!(moved(7), [a, b, 0.0, 0.0, a, b, 0.0, 0.0]);
+        assert_eq!(moved(7), [a, b, 0.0, 0.0, a, b, 0.0, 0.0, 0.0, 0.0]);
         assert_ne!(moved(8)[0], a);
         // Squares of evenly drawn numbers with variance 1 have a variance of 9/5 - 1: the mean of 4000 is known to 0.014, four of which are allowed.
         let square = |(moved, range): (f64, f64)| (moved / (0.005 * range)).powi(2);

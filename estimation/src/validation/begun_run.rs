@@ -117,7 +117,11 @@ impl LeftOutRun<'_> {
         // Windows that reach across the begin are short there.
         let settings = self.settings;
         let reach = settings.smooth_rows + settings.window_rows + settings.start_rows - 1;
-        let is_after = |(labelled, _): &&(usize, usize)| *labelled > row + reach;
+        let time_s = &self.run.time_s;
+        let settled_s = time_s[row] + settings.baseline_s.unwrap_or(0.0);
+        let is_after = |(labelled, _): &&(usize, usize)| {
+            *labelled > row + reach && time_s[*labelled] >= settled_s
+        };
         let after: Vec<usize> = self
             .labelled
             .iter()

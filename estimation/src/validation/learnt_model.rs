@@ -28,7 +28,7 @@ pub struct LearntModel {
 
 /// Ranges beyond which values aren't believed, by the feature's group: no load that is worth estimating is ten times as large as all that was learnt
 /// from, or comes a hundred times as fast.
-const REACH: [f64; GROUPS] = [10.0, 100.0, 10.0, 100.0];
+const REACH: [f64; GROUPS] = [10.0, 100.0, 10.0, 100.0, 10.0];
 /// Fewer rows are learnt nothing from once some are left out.
 const FEWEST_ROWS: usize = 10;
 /// Median of the sizes of normal deviates, which their median's reciprocal 1.4826 makes a deviation of.

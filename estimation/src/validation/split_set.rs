@@ -17,6 +17,16 @@ fn cycle_rows(rows: &LabelledRows) -> usize {
     rows.places.len() / cycles.len().max(1)
 }
 
+/// Rows that features of a row are made of, itself among them.
+fn rows_looked_back(recipe: &Recipe, interval_s: f64) -> usize {
+    let features = &recipe.features;
+    let windowed = features.sets.iter().any(|set| *set != FeatureSet::Raw);
+    let window = if windowed { features.window_rows } else { 1 };
+    let baseline = features.baseline_s().unwrap_or(0.0) / interval_s;
+    let rows = window.max(1 + baseline.ceil() as usize);
+    rows.max(recipe.preprocess.smooth_rows)
+}
+
 /// The splits of a force's rows.
 #[derive(Debug, Clone)]
 pub struct Splits {
@@ -29,17 +39,7 @@ pub struct Splits {
 impl Splits {
     /// All splits of these rows; `interval_s` is the time between two.
     pub fn new(rows: &LabelledRows, recipe: &Recipe, interval_s: f64) -> Self {
-        let windowed = recipe
-            .features
-            .sets
-            .iter()
-            .any(|set| *set != FeatureSet::Raw);
-        let window = if windowed {
-            recipe.features.window_rows
-        } else {
-            1
-        };
-        let window = window.max(recipe.preprocess.smooth_rows);
+        let window = rows_looked_back(recipe, interval_s);
         let gap = Gap {
             rows: (window - 1).min(cycle_rows(rows) / GAP_SHARE),
             time_s: window as f64 * interval_s + TIME_CONSTANTS * recipe.validation.time_constant_s,

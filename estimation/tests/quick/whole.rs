@@ -34,6 +34,7 @@ fn recipe() -> Recipe {
         features: Features {
             sets: vec![FeatureSet::Raw, FeatureSet::All],
             window_rows: 5,
+            ..Features::default()
         },
         models: Models {
             gpr: GprSettings {

@@ -247,7 +247,7 @@ fn recording(recordings: &[Recording], gait: &str) -> usize {
 
 fn published_recipe<R: ContactResponse>(response: &R, rig: &RigSettings) -> Recipe {
     let mut recipe = recipe(response, rig);
-    recipe.features.sets = FeatureSet::ALL.to_vec();
+    recipe.features.sets = FeatureSet::PUBLISHED.to_vec();
     recipe.models.kinds = vec![Kind::Gpr, Kind::Ann];
     recipe.models.gpr.most_rows = PROCESS_ROWS;
     recipe

@@ -113,8 +113,14 @@ fn memory_s<R: ContactResponse + ?Sized>(response: &R, settings: &RigSettings) -
 pub fn recipe<R: ContactResponse + ?Sized>(response: &R, settings: &RigSettings) -> Recipe {
     let mut recipe = Recipe {
         features: Features {
-            sets: vec![FeatureSet::Raw, FeatureSet::Slopes, FeatureSet::All],
+            sets: vec![
+                FeatureSet::Raw,
+                FeatureSet::Baseline,
+                FeatureSet::Slopes,
+                FeatureSet::All,
+            ],
             window_rows: WINDOW_ROWS,
+            ..Features::default()
         },
         models: Models {
             kinds: vec![Kind::Ridge, Kind::Gpr],

@@ -3,6 +3,7 @@
 //! Features look back over earlier rows, so they are made of all of them before any is left out.
 
 use estimation::features::{FeatureStream, GROUPS, StreamSettings};
+use estimation::recipe::USUAL_BASELINE_S;
 use estimation::recording::PAUSE_INTERVALS;
 use ndarray::{Array2, ArrayView1, Axis};
 
@@ -26,7 +27,7 @@ const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// A run's rows.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ThinnedRun {
-    /// Rows x (4 groups of films).
+    /// Rows x (groups of films).
     pub features: Array2<f64>,
     /// Rows x forces along, across and vertical, N.
     pub true_force_n: Array2<f64>,
@@ -135,6 +136,7 @@ fn features_of(films: &FilmReadings, settings: &RigSettings, rows: &[usize]) -> 
         turn_sign: false,
         smooth_rows: 1,
         window_rows: WINDOW_ROWS,
+        baseline_s: Some(USUAL_BASELINE_S),
         pause_s: PAUSE_INTERVALS / settings.film_rate_hz,
     });
     let mut found = Array2::zeros((rows.len(), GROUPS * films.volts.ncols()));
@@ -191,7 +193,7 @@ mod tests {
         let [all, few] = [all, few].map(|of| ThinnedRun::recorded(&tire, &short(), 0, of));
         assert_eq!(all.instant, (0..600).collect::<Vec<_>>());
         assert_eq!(all.features.select(Axis(0), &few.instant), few.features);
-        assert_eq!(few.features.ncols(), 12);
+        assert_eq!(few.features.ncols(), 3 * GROUPS);
         let begin = ThinnedRun::begin_of(&tire, &short(), 0);
         assert_eq!(begin, all);
     }

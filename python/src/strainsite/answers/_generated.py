@@ -1089,7 +1089,7 @@ class ForceError:
     """The model that is chosen by left-out runs; `mean` where none is better than the training mean. One of `mean`,
     `ridge`, `gpr`, `ann`, `blend`."""
     features: str
-    """The features it reads. One of `raw`, `slopes`, `rolling`, `all`."""
+    """The features it reads. One of `raw`, `baseline`, `slopes`, `rolling`, `all`, `whole`."""
     useful: bool
     """Whether its error on left-out runs is at most 95 % of the training mean's."""
     splits: tuple[SplitError, ...]
@@ -1157,7 +1157,7 @@ class ForceReportFields:
     chosen: str
     """The model that estimates it; `mean` where nothing is better. One of `mean`, `ridge`, `gpr`, `ann`, `blend`."""
     chosen_features: str
-    """The features it reads. One of `raw`, `slopes`, `rolling`, `all`."""
+    """The features it reads. One of `raw`, `baseline`, `slopes`, `rolling`, `all`, `whole`."""
     rolled_r2: float | None = None
     """R2 of the chosen model where forces are rolled against signals: what chance would do."""
     beginnings: BeginningsReport | None = None
@@ -1769,7 +1769,7 @@ class MemberReport:
     model: str
     """The model. One of `mean`, `ridge`, `gpr`, `ann`, `blend`."""
     features: str
-    """The features it reads. One of `raw`, `slopes`, `rolling`, `all`."""
+    """The features it reads. One of `raw`, `baseline`, `slopes`, `rolling`, `all`, `whole`."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -1871,7 +1871,7 @@ class ModelReport:
     model: str
     """The model. One of `mean`, `ridge`, `gpr`, `ann`, `blend`."""
     features: str
-    """The features it reads. One of `raw`, `slopes`, `rolling`, `all`."""
+    """The features it reads. One of `raw`, `baseline`, `slopes`, `rolling`, `all`, `whole`."""
     members: tuple[MemberReport, ...] = ()
     """The models whose median a blend is; left out of others."""
     validation: SplitReport

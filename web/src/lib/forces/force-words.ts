@@ -13,9 +13,11 @@ export const MODELS: Record<Kind, string> = {
 
 const FEATURES: Record<FeatureSet, string> = {
   raw: "signals",
+  baseline: "signals over their baselines",
   slopes: "signals, slopes",
   rolling: "signals, rolling means and variances",
   all: "signals, slopes, rolling means and variances",
+  whole: "signals, signals over their baselines, slopes, rolling means and variances",
 };
 
 /** What a split left out, as a sentence ends. */

@@ -6,16 +6,20 @@
 //! | slope | (v(k) - v(k-1)) / (t(k) - t(k-1)), 1/s |
 //! | mean | of the last w values |
 //! | variance | of the last w values, divided by w - 1 |
+//! | over its baseline | the value less the median of the last s seconds' values: what drifts slowly isn't in it; 0 where no set reads it |
 //!
 //! A stream begins with a run, and anew after each pause and with each cycle of a column: windows are short there, and the first slope is 0. The start value stays.
 //!
 //! A start value that isn't known beforehand is the median of the first readings. While they come it is that of those so far, and windows are made anew by it.
+
+mod baselines;
 
 use std::collections::VecDeque;
 use std::ops::Range;
 
 use ndarray::Array2;
 
+use self::baselines::Baselines;
 use crate::recipe::FeatureSet;
 use crate::recording::Recording;
 use crate::recording::unloaded::median_reading;
@@ -33,12 +37,14 @@ pub struct StreamSettings {
     pub smooth_rows: usize,
     /// Rows of rolling mean and variance.
     pub window_rows: usize,
+    /// Seconds of the baseline's median; `None` where nothing reads what is over it.
+    pub baseline_s: Option<f64>,
     /// Longest time between rows over which something is carried, s.
     pub pause_s: f64,
 }
 
-/// Groups of features: values, slopes, rolling means, rolling variances.
-pub const GROUPS: usize = 4;
+/// Groups of features: values, slopes, rolling means, rolling variances, values over their baseline.
+pub const GROUPS: usize = 5;
 /// The group of values.
 pub(crate) const VALUES: usize = 0;
 /// The group of rolling means.
@@ -57,6 +63,7 @@ pub struct FeatureStream {
     last: Option<(f64, Option<usize>, Vec<f64>)>,
     readings: VecDeque<Vec<f64>>,
     values: VecDeque<Vec<f64>>,
+    baselines: Baselines,
 }
 
 /// First readings of a run, until there are enough of them.
@@ -78,6 +85,7 @@ impl FeatureStream {
             last: None,
             readings: VecDeque::new(),
             values: VecDeque::new(),
+            baselines: Baselines::default(),
         }
     }
 
@@ -126,8 +134,9 @@ impl FeatureStream {
         keep(&mut self.values, value.clone(), self.settings.window_rows);
         let mean = means(&self.values);
         let variance = variances(&self.values, &mean);
+        let over = self.over_baseline(time_s, &value);
         self.last = Some((time_s, cycle, value.clone()));
-        [value, slope, mean, variance].concat()
+        [value, slope, mean, variance, over].concat()
     }
 
     /// Begins anew, as after a pause: the start value stays.
@@ -142,6 +151,7 @@ impl FeatureStream {
         self.last = None;
         self.readings.clear();
         self.values.clear();
+        self.baselines.clear();
     }
 
     /// Takes these signals for the start value; none: those of the next rows. Where no start is taken off, `learnt` is what they were when they were learnt.
@@ -177,6 +187,14 @@ impl FeatureStream {
             None => vec![0.0; value.len()],
         }
     }
+
+    fn over_baseline(&mut self, time_s: f64, value: &[f64]) -> Vec<f64> {
+        let Some(seconds) = self.settings.baseline_s else {
+            return vec![0.0; value.len()];
+        };
+        let medians = self.baselines.push(time_s, value, seconds);
+        value.iter().zip(medians).map(|(x, of)| x - of).collect()
+    }
 }
 
 fn keep(rows: &mut VecDeque<Vec<f64>>, row: Vec<f64>, most: usize) {
@@ -210,7 +228,7 @@ fn variances(rows: &VecDeque<Vec<f64>>, mean: &[f64]) -> Vec<f64> {
     sums.into_iter().map(|sum| sum / degrees).collect()
 }
 
-/// All features of a recording: rows x (4 groups of `signals` columns). `start`: what is taken off instead of the first reading.
+/// All features of a recording: rows x (groups of `signals` columns). `start`: what is taken off instead of the first reading.
 pub(crate) fn features(
     recording: &Recording,
     settings: &StreamSettings,
@@ -232,7 +250,7 @@ pub(crate) fn features(
     found
 }
 
-/// Moves a row of all features as an offset of its signals does, one each: values and rolling means; slopes and variances don't know it.
+/// Moves a row of all features as an offset of its signals does, one each: values and rolling means; slopes, variances and what is over a baseline don't know it.
 pub(crate) fn move_signals(features: &mut [f64], offsets: impl IntoIterator<Item = f64>) {
     let signals = features.len() / GROUPS;
     for (signal, offset) in offsets.into_iter().enumerate() {
@@ -247,9 +265,11 @@ pub fn columns(set: FeatureSet, signals: usize) -> impl Iterator<Item = usize> {
     let group = move |number: &usize| -> Range<usize> { number * signals..(number + 1) * signals };
     let groups: &'static [usize] = match set {
         FeatureSet::Raw => &[0],
+        FeatureSet::Baseline => &[4],
         FeatureSet::Slopes => &[0, 1],
         FeatureSet::Rolling => &[0, 2, 3],
         FeatureSet::All => &[0, 1, 2, 3],
+        FeatureSet::Whole => &[0, 1, 2, 3, 4],
     };
     groups.iter().flat_map(group)
 }
@@ -265,6 +285,7 @@ mod tests {
             turn_sign: false,
             smooth_rows: 1,
             window_rows: 3,
+            baseline_s: None,
             pause_s: 1.0,
         }
     }
@@ -287,16 +308,16 @@ mod tests {
             (3.5, Some(1), 14.0),
         ];
         let found = pushed(settings(), &rows);
-        assert_eq!(found[0], [0.0, 0.0, 0.0, 0.0]);
-        assert_eq!(found[1], [2.0, 4.0, 1.0, 2.0]);
+        assert_eq!(found[0], [0.0; GROUPS]);
+        assert_eq!(found[1], [2.0, 4.0, 1.0, 2.0, 0.0]);
         // Mean of 2, 7, 8; variance (121 + 16 + 49) / 9 / 2.
         let expected = [8.0, 2.0, 17.0 / 3.0, 31.0 / 3.0];
         for (x, expected) in found[3].iter().zip(expected) {
             assert!((x - expected).abs() < 1e-14, "{x} {expected}");
         }
         // After the pause and with the new cycle windows begin anew; the run's start value stays.
-        assert_eq!(found[4], [1.0, 0.0, 1.0, 0.0]);
-        assert_eq!(found[5], [4.0, 0.0, 4.0, 0.0]);
+        assert_eq!(found[4], [1.0, 0.0, 1.0, 0.0, 0.0]);
+        assert_eq!(found[5], [4.0, 0.0, 4.0, 0.0, 0.0]);
     }
 
     #[test]
@@ -350,6 +371,7 @@ mod tests {
             .collect();
         let smooth = StreamSettings {
             smooth_rows: 4,
+            baseline_s: Some(0.5),
             ..settings()
         };
         let all = pushed(smooth.clone(), &rows);
@@ -374,11 +396,36 @@ mod tests {
     }
 
     #[test]
+    fn a_drift_is_not_in_what_is_over_its_baseline() {
+        // Touched for a fifth of each second, on a drift of 3 a second from 40.
+        let touch = |k: u32| f64::from(u8::from(k % 100 < 20));
+        let row = |k: u32| {
+            let time_s = 0.01 * f64::from(k);
+            (time_s, None, 40.0 + 3.0 * time_s + 10.0 * touch(k))
+        };
+        let rows: Vec<_> = (0..600).map(row).collect();
+        let baseline = StreamSettings {
+            subtract_start: false,
+            baseline_s: Some(1.0),
+            ..settings()
+        };
+        let found = pushed(baseline, &rows);
+        for (k, row) in found.iter().enumerate().skip(100) {
+            // The median lies within a second of drift below the value that it would have untouched.
+            let over = row[4] - 10.0 * touch(k as u32);
+            assert!((0.0..=3.0).contains(&over), "{k} {over}");
+            assert!(row[0] > 43.0);
+        }
+    }
+
+    #[test]
     fn sets_pick_their_groups() {
         let read = |set: FeatureSet, signals: usize| columns(set, signals).collect::<Vec<_>>();
         assert_eq!(read(FeatureSet::Raw, 2), [0, 1]);
         assert_eq!(read(FeatureSet::Slopes, 2), [0, 1, 2, 3]);
         assert_eq!(read(FeatureSet::Rolling, 2), [0, 1, 4, 5, 6, 7]);
         assert_eq!(read(FeatureSet::All, 2).len(), 8);
+        assert_eq!(read(FeatureSet::Baseline, 2), [8, 9]);
+        assert_eq!(read(FeatureSet::Whole, 2).len(), 10);
     }
 }
