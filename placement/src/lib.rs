@@ -9,11 +9,13 @@
 //! - [`layout`]: what is solved for layouts, and scored
 //! - [`response_table`]: responses to any contact, between solves
 //! - [`answer`]: all of that in one sentence, and how sure it is
+//! - `assumptions`: what the answer's figures rest on, changed
 //! - [`ladder`]: meshes times methods, from quick to accurate
 //! - [`compare`]: studies side by side, and which differences are real
 //! - [`estimate`]: what a study will cost, before anything is solved
 
 pub mod answer;
+mod assumptions;
 pub mod compare;
 pub mod estimate;
 pub mod ladder;

@@ -51,6 +51,7 @@ export interface components {
             trade?: components["schemas"]["TradeAnswer"] | null;
             /** @description Films of the answer's layout, one by one, as they are glued. */
             films?: components["schemas"]["SheetFilm"][];
+            rests_on?: components["schemas"]["RestsOn"] | null;
             inputs?: components["schemas"]["InputsAnswer"] | null;
             signals?: components["schemas"]["SignalsAnswer"] | null;
             left_out?: components["schemas"]["LeftOut"] | null;
@@ -65,6 +66,51 @@ export interface components {
             std_deg: number;
             /** @description Error of the estimates then. */
             error: components["schemas"]["TrialError"];
+        };
+        /** @description An assumption, changed. */
+        AssumptionChange: {
+            /** @description Name of the assumption: `noise`, `drift`, `gain`, `place`, `pressure`, `camber` or `friction`. */
+            of: string;
+            /** @description Change in words, as in `a pressure 10 % lower`. */
+            words: string;
+            /**
+             * Format: double
+             * @description The angle's error then, degrees.
+             */
+            angle_error_deg: number;
+            /**
+             * Format: double
+             * @description The force's error then, N.
+             */
+            force_error_n: number;
+            /**
+             * Format: double
+             * @description Larger of both errors' ratios to those as assumed; of a smaller error one over that.
+             */
+            times: number;
+            /** @description Rank of a layout of no more films that does better then, by more than chance; null where this one stays. */
+            better_rank?: number | null;
+            /** @description Whether it keeps to the limits of the question then; null where none is asked, or none was kept as assumed. */
+            meets?: boolean | null;
+        };
+        /** @description Figures of the layout that answers, with what they rest on changed, one at a time. */
+        AssumptionFindings: {
+            /** @description Rank of that layout. */
+            rank: number;
+            /**
+             * Format: double
+             * @description 95 of 100 contact angles are estimated better than this at the worst load, degrees, as assumed.
+             */
+            angle_error_deg: number;
+            /**
+             * Format: double
+             * @description Error of the vertical force at the load where that is largest, root mean square, N, as assumed.
+             */
+            force_error_n: number;
+            /** @description Changed assumptions, the one that changes the figures most first. */
+            changes: components["schemas"]["AssumptionChange"][];
+            /** @description Assumptions that weren't changed, in words: those that the document names no value of, and those whose scene has no answer. */
+            unchanged: string[];
         };
         /** @description Errors of left-out runs by where they begin. */
         BeginningsReport: {
@@ -1609,6 +1655,7 @@ export interface components {
             loads: components["schemas"]["LayoutLoad"][];
             contacts?: components["schemas"]["ContactFindings"] | null;
             films?: components["schemas"]["FilmAnglesReport"] | null;
+            assumptions?: components["schemas"]["AssumptionFindings"] | null;
             /** @description Menu of layouts, where the document names none. */
             menu?: components["schemas"]["MenuFindings"];
             /** @description Layouts that no other beats with as few films, least films first. */
@@ -2656,6 +2703,13 @@ export interface components {
              * @description RMSE of the same rows of the runs as recorded, N.
              */
             recorded_rmse_n: number;
+        };
+        /** @description Assumptions that the figures of the layout that answers rest on most, in words. */
+        RestsOn: {
+            /** @description The figures as assumed, and with each of the three changes that move them most; whole sentences. */
+            sentence: string;
+            /** @description The three changes in few characters, as in `twice the noise: 21.4 degrees; a pressure 10 % lower: 2.31 N`, and what would answer then in this one's place; empty where none moves a figure by a tenth. */
+            brief: string;
         };
         /** @description A load of layouts. */
         RingLoad: {
@@ -4606,6 +4660,8 @@ export interface components {
             shear: boolean;
             /** @description Laws of what a contact is beside its angle and depth, which an estimate doesn't know: simulated errors are over contacts as they come. Takes `depths_mm`. */
             contacts?: components["schemas"]["LayoutContactsDocument"];
+            /** @description What the answer's figures rest on, changed one at a time. */
+            assumptions?: components["schemas"]["LayoutAssumptionsDocument"];
             /**
              * @description Mesh level of the layouts' own solves; the study's, the standard at most, when left out. `draft`: Mesh for a first look. `coarse`: Mesh for a look with an error; it shows the error of the standard level. `standard`: Mesh for placement decisions. `reference`: Mesh for judging the others.
              * @enum {string}
@@ -4683,6 +4739,35 @@ export interface components {
             uneven?: components["schemas"]["DistributionDocument"];
             /** @description Law of the internal pressure over the scene's. */
             pressure_factor?: components["schemas"]["DistributionDocument"];
+        };
+        /** @description Values to which what the answer's figures rest on is changed, one at a time. */
+        LayoutAssumptionsDocument: {
+            /**
+             * @description Noise over the layouts' own.
+             * @default 2
+             */
+            noise_factor: number;
+            /**
+             * @description Standard deviation of a drift beside the noise, over the crown's largest signal.
+             * @default 0.02
+             */
+            drift_share: number;
+            /**
+             * @description Standard deviation of a film's gain, relative.
+             * @default 0.1
+             */
+            gain_std: number;
+            /**
+             * @description Standard deviation of a film's place around the wheel, degrees.
+             * @default 2
+             */
+            place_std_deg: number;
+            /** @description Internal pressure over the scene's, unknown to an estimate; not changed when left out. */
+            pressure_factor?: number;
+            /** @description Inclination of the wheel, degrees, unknown to an estimate; not changed when left out. */
+            camber_deg?: number;
+            /** @description Friction of the ground, unknown to an estimate; not changed when left out. */
+            friction?: number;
         };
         /** @description Question that a study's layouts answer: the best with so many films, or the fewest films that keep errors within limits. */
         QuestionDocument: {
@@ -5665,6 +5750,8 @@ export type AlikeContacts = components['schemas']['AlikeContacts'];
 export type AnalysisDocument = components['schemas']['AnalysisDocument'];
 export type Answer = components['schemas']['Answer'];
 export type AskewError = components['schemas']['AskewError'];
+export type AssumptionChange = components['schemas']['AssumptionChange'];
+export type AssumptionFindings = components['schemas']['AssumptionFindings'];
 export type BeginningsReport = components['schemas']['BeginningsReport'];
 export type CandidateFilm = components['schemas']['CandidateFilm'];
 export type Candidates = components['schemas']['Candidates'];
@@ -5817,6 +5904,7 @@ export type Report = components['schemas']['Report'];
 export type Response = components['schemas']['Response'];
 export type ResponseError = components['schemas']['ResponseError'];
 export type RestedReport = components['schemas']['RestedReport'];
+export type RestsOn = components['schemas']['RestsOn'];
 export type RingLoad = components['schemas']['RingLoad'];
 export type Rings = components['schemas']['Rings'];
 export type Rung = components['schemas']['Rung'];
@@ -5900,6 +5988,7 @@ export type FilmPlaceDocument = components['schemas']['FilmPlaceDocument'];
 export type FreeLayoutDocument = components['schemas']['FreeLayoutDocument'];
 export type LayoutSearchDocument = components['schemas']['LayoutSearchDocument'];
 export type LayoutContactsDocument = components['schemas']['LayoutContactsDocument'];
+export type LayoutAssumptionsDocument = components['schemas']['LayoutAssumptionsDocument'];
 export type QuestionDocument = components['schemas']['QuestionDocument'];
 export type MethodDocument = components['schemas']['MethodDocument'];
 export type AccuracyDocument = components['schemas']['AccuracyDocument'];

@@ -3,7 +3,9 @@
 use documents::parts::film_place::FilmPlace;
 use serde::{Deserialize, Serialize};
 
+use crate::answer::AssumptionFindings;
 use crate::film::FilmAnglesReport;
+
 /// Findings of a study's layouts together: loads, knees, fronts, kinds of film.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct LayoutFindings {
@@ -25,6 +27,9 @@ pub struct LayoutFindings {
     /// Films that are glued on and solved with the tire around the wheel: how far their signals are off, and would be by a transfer alone.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub films: Option<FilmAnglesReport>,
+    /// Assumptions of the layout that answers, changed one at a time; absent where no layout answers.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub assumptions: Option<AssumptionFindings>,
     /// Menu of layouts, where the document names none.
     #[serde(default)]
     pub menu: MenuFindings,

@@ -18,8 +18,9 @@ mod ranked_location;
 mod study_cost;
 
 pub use answer::{
-    Answer, Certainty, Grade, GradedNote, InputShare, InputsAnswer, InputsBeside, LayoutAnswer,
-    LeftOut, PlaceAnswer, SheetFilm, SignalsAnswer, Surer, Topic, TradeAnswer, TradeRow,
+    Answer, AssumptionChange, AssumptionFindings, Certainty, Grade, GradedNote, InputShare,
+    InputsAnswer, InputsBeside, LayoutAnswer, LeftOut, PlaceAnswer, RestsOn, SheetFilm,
+    SignalsAnswer, Surer, Topic, TradeAnswer, TradeRow,
 };
 pub use climb_report::{Climb, ClimbRung, FidelityReport};
 pub use cost_forecast::{CountForecast, Estimate, ExpectedAccuracy, Forecast, SolveForecast};

@@ -10,9 +10,11 @@
 //! - `layout_figures`: errors of layouts with their claims
 //! - `layout_words`: what a layout is, in words
 //! - `brief_words`: the answer in few characters, for lists
+//! - `assumption_words`: what its figures rest on
 //! - `left_out_words`: what is left out, as a sentence
 //! - `whole_answer`: all of it together
 
+mod assumption_words;
 mod best_place;
 mod brief_words;
 mod figure_words;
@@ -30,4 +32,4 @@ mod whole_answer;
 pub(crate) use first_rank::{Standing, judge};
 pub(crate) use layout_figures::{Figure, Figures};
 pub(crate) use left_out_words::effect_notes;
-pub(crate) use whole_answer::answer_of;
+pub(crate) use whole_answer::{answer_of, contenders};

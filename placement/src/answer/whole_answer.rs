@@ -1,5 +1,6 @@
 //! The whole answer of a study: its sentence, the weaker verdict, and what could overturn it.
 
+use super::assumption_words::{overturned, rests_on};
 use super::best_place::best_place;
 use super::brief_words::{of_inputs, of_place, of_signals};
 use super::gluing_sheet::sheet;
@@ -7,15 +8,15 @@ use super::inputs_beside;
 use super::inputs_that_matter::inputs_that_matter;
 use super::left_out_words::{FILM_STIFFNESS, largest};
 use super::strongest_film::strongest_film;
-use super::trade::{PickedLayout, picked_layout, trade};
+use super::trade::{self, PickedLayout, picked_layout, trade};
 use crate::score::map_slopes::MapSlopes;
 use documents::parts::film_model::FilmModel;
 use documents::study::Study;
 use fem_client::solver::direction::Direction;
 use results::location_scores::GSI;
 use results::{
-    Answer, Certainty, InputsAnswer, LayoutAnswer, LeftOut, PlaceAnswer, RankedLocation, SheetFilm,
-    SignalsAnswer, StudyResult,
+    Answer, Certainty, InputsAnswer, LayoutAnswer, LeftOut, PlaceAnswer, RankedLayout,
+    RankedLocation, SheetFilm, SignalsAnswer, StudyResult, TradeAnswer,
 };
 
 /// The answer of a study's result, which has everything else already; `None` where nothing has a rank. What a surer answer costs depends on the machine: who
@@ -26,12 +27,7 @@ pub(crate) fn answer_of(
     slopes: Option<&MapSlopes>,
 ) -> Option<Answer> {
     let place = best_place(&result.locations, study.directions);
-    let findings = result.layout_findings.as_ref();
-    let trade = trade(
-        &result.layouts,
-        findings,
-        (study.question, study.layouts.limits.taken.len()),
-    );
+    let trade = trade_of(study, result);
     let layout = trade
         .as_ref()
         .and_then(|trade| picked_layout(trade, &result.layouts));
@@ -60,12 +56,14 @@ pub(crate) fn answer_of(
         None => (told.verdict, told.reason),
     };
     let (sentence, brief) = (told.sentence.to_owned(), told.brief);
+    let overturned = layout.as_ref().and_then(|_| overturned(result));
     Some(Answer {
-        sentence,
+        sentence: sentence + &overturned.unwrap_or_default(),
         brief: Some(brief),
         verdict,
         reason,
         left_out: left_out(result, signals.as_ref()),
+        rests_on: rests_on(result),
         signals,
         place,
         films: films(study, result, layout.as_ref().map(|picked| &picked.answer)),
@@ -74,6 +72,25 @@ pub(crate) fn answer_of(
         inputs,
         surer: None,
     })
+}
+
+/// The layout that answers, and so many that could in its place, the best first; none where none has a score.
+pub(crate) fn contenders<'a>(
+    study: &Study,
+    result: &'a StudyResult,
+    others: usize,
+) -> Vec<&'a RankedLayout> {
+    trade_of(study, result).map_or_else(Vec::new, |trade| {
+        trade::contenders(&trade, &result.layouts, others)
+    })
+}
+
+fn trade_of(study: &Study, result: &StudyResult) -> Option<TradeAnswer> {
+    trade(
+        &result.layouts,
+        result.layout_findings.as_ref(),
+        (study.question, study.layouts.limits.taken.len()),
+    )
 }
 
 /// The largest of what is left out; a study that answers by glued films has their stiffness.

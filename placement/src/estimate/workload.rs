@@ -9,6 +9,7 @@ use fem_client::solver::{Readout, Solver};
 use gsa::method::{Kind, Method};
 
 use super::solve_time::{How, Task, mirror_class, tire};
+use crate::assumptions::changed_scenes::assumption_series;
 use crate::ladder::fidelity::Fidelity;
 use crate::layout::solving::layout_workload::{largest_layout, layout_series, scorings, searched};
 use crate::layout::solving::study_layouts::Asked;
@@ -211,7 +212,11 @@ impl Workload {
                 fresh.collect()
             };
             let signals = further(&|| signal_series(study, &planned.plan, solver));
-            let layouts = further(&|| layout_series(study, &planned.plan, solver));
+            let layouts = further(&|| {
+                let mut all = layout_series(study, &planned.plan, solver);
+                all.extend(assumption_series(study, &planned.plan));
+                all
+            });
             let tables = further(&|| StudyTable::series_of(study, &planned.plan));
             let solved_there =
                 |stage: &Stage| Some(stage.fidelity.level) == coarser_level && stage.extra.most > 0;

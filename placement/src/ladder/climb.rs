@@ -11,6 +11,7 @@ use fem_client::scene::Level;
 use gsa::method::Kind;
 
 use crate::answer::{answer_of, effect_notes};
+use crate::assumptions::measuring_assumptions;
 use crate::ladder::effects;
 use crate::ladder::fidelity::Fidelity;
 use crate::layout::solving::measuring_layouts;
@@ -79,7 +80,12 @@ fn with_further_solves(
         result.note(note);
     }
     let first = first + result.cost.effect_solves;
-    measuring_layouts::measure(first, study, plan, (result, slopes.as_ref()), context)?;
+    let scored =
+        measuring_layouts::measure(first, study, plan, (result, slopes.as_ref()), context)?;
+    if let Some(scored) = scored {
+        let first = first + result.cost.layout_solves;
+        measuring_assumptions::measure(first, study, plan, (result, &scored), context)?;
+    }
     let first = first + result.cost.layout_solves;
     measuring::measure(first, study, plan, result, context)?;
     let first = first + result.cost.signal_solves;

@@ -5,6 +5,7 @@
 
 mod accuracy;
 mod answers;
+mod assumptions;
 mod directions;
 mod documents;
 mod failing;

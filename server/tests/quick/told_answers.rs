@@ -65,8 +65,11 @@ fn every_shipped_study_is_answered_first_and_fits_a_hundred_columns() {
         let inputs = beside
             .map(|beside| format!("inputs: {} ", beside["sentence"].as_str().expect("a text")));
         let inputs: String = inputs.collect();
+        let rests_on = answer["rests_on"]["sentence"].as_str();
+        let rests_on = rests_on.map(|told| format!("rests on: {told} "));
+        let rests_on = rests_on.unwrap_or_default();
         let first = format!(
-            "{sentence} {}: {reason} {inputs}left out: ",
+            "{sentence} {}: {reason} {inputs}{rests_on}left out: ",
             word("verdict")
         );
         assert!(unwrapped(told).starts_with(&first), "{name}: {told}");

@@ -9,9 +9,12 @@ pub(super) const SHARE: Range = Range::new(1e-6, 1.0, "");
 pub(super) const STRAIN: Range = Range::new(1e-9, 0.1, "");
 pub(super) const VOLTS: Range = Range::new(1e-9, 1e4, "V");
 pub(super) const GAIN: Range = Range::new(0.0, 1.0, "");
+pub(super) const NOISE_FACTOR: Range = Range::new(0.01, 100.0, "");
+pub(super) const DRIFT: Range = Range::new(0.0, 1.0, "");
 pub(super) const CAMBER: Range = Range::new(-30.0, 30.0, "degrees");
 pub(super) const TRACTION: Range = Range::new(-2.0, 2.0, "");
 pub(super) const UNEVEN: Range = Range::new(-0.9, 0.9, "");
+pub(super) const FRICTION: Range = Range::new(0.0, 2.0, "");
 pub(super) const PRESSURE_FACTOR: Range = Range::new(0.5, 2.0, "");
 pub(super) const PLACE: Range = Range::new(0.0, 30.0, "degrees");
 /// Most entries of a list of spacings, numbers of units, section angles or sets of directions.

@@ -9,10 +9,12 @@ use fem_client::scene::{DEPTH, LOAD, Level};
 use fem_client::solver::Position;
 use serde_json::json;
 
+use crate::layouts::assumptions::Assumptions;
 use crate::layouts::contact_laws::ContactQuantity;
 use crate::layouts::layout_bounds::{
-    ANGLE, DISTANCE, GAIN, LONGEST_LAYOUT, MOST_ENTRIES, MOST_FILMS, MOST_FREE, MOST_LOADS,
-    MOST_SEARCHED, MOST_SIZES, MOST_SLOTS, MOST_UNITS, PLACE, SHARE, SIDE, SPACING, STRAIN, VOLTS,
+    ANGLE, CAMBER, DISTANCE, DRIFT, FRICTION, GAIN, LONGEST_LAYOUT, MOST_ENTRIES, MOST_FILMS,
+    MOST_FREE, MOST_LOADS, MOST_SEARCHED, MOST_SIZES, MOST_SLOTS, MOST_UNITS, NOISE_FACTOR, PLACE,
+    PRESSURE_FACTOR, SHARE, SIDE, SPACING, STRAIN, VOLTS,
 };
 use crate::layouts::layout_settings::{Layouts, NOISE_SHARE};
 use crate::parts::distribution_reader::distribution_schema;
@@ -118,6 +120,8 @@ fn describe_judgement(layouts: &mut Properties, schemas: &mut Schemas) {
     add("shear", doc, bool::schema(&(), schemas), Some(false.into()));
     let doc = "Laws of what a contact is beside its angle and depth, which an estimate doesn't know: simulated errors are over contacts as they come. Takes `depths_mm`.";
     add("contacts", doc, contacts(schemas), None);
+    let doc = "What the answer's figures rest on, changed one at a time.";
+    add("assumptions", doc, assumptions(schemas), None);
     let doc =
         "Mesh level of the layouts' own solves; the study's, the standard at most, when left out.";
     add("level", doc, Level::schema(&(), schemas), None);
@@ -134,6 +138,31 @@ fn contacts(schemas: &mut Schemas) -> Value {
             laws.add(quantity.as_str(), quantity.doc(), law, None, false);
         }
         laws.table("Laws of contacts; what has none is as in the scene.")
+    })
+}
+
+fn assumptions(schemas: &mut Schemas) -> Value {
+    schemas.define("LayoutAssumptions", |_| {
+        let usual = Assumptions::default();
+        let mut table = Properties::default();
+        let mut add = |name, doc, range: Range, usual: Option<f64>| {
+            table.add(name, doc, range.schema(), usual.map(Value::from), false);
+        };
+        let doc = "Noise over the layouts' own.";
+        add("noise_factor", doc, NOISE_FACTOR, Some(usual.noise_factor));
+        let doc = "Standard deviation of a drift beside the noise, over the crown's largest signal.";
+        add("drift_share", doc, DRIFT, Some(usual.drift_share));
+        let doc = "Standard deviation of a film's gain, relative.";
+        add("gain_std", doc, GAIN, Some(usual.gain_std));
+        let doc = "Standard deviation of a film's place around the wheel, degrees.";
+        add("place_std_deg", doc, PLACE, Some(usual.place_std_deg));
+        let doc = "Internal pressure over the scene's, unknown to an estimate; not changed when left out.";
+        add("pressure_factor", doc, PRESSURE_FACTOR, None);
+        let doc = "Inclination of the wheel, degrees, unknown to an estimate; not changed when left out.";
+        add("camber_deg", doc, CAMBER, None);
+        let doc = "Friction of the ground, unknown to an estimate; not changed when left out.";
+        add("friction", doc, FRICTION, None);
+        table.table("Values to which what the answer's figures rest on is changed, one at a time.")
     })
 }
 

@@ -5,6 +5,7 @@ use fem_client::solver::Position;
 use fem_client::solver::direction::Direction;
 use serde_json::{Map, Value, json};
 
+use crate::layouts::assumptions::Assumptions;
 use crate::layouts::contact_laws::{ContactLaw, laws_value};
 use crate::layouts::film_room::FilmRoom;
 use crate::layouts::gluing_limits::GluingLimits;
@@ -58,6 +59,8 @@ pub struct Layouts {
     pub shear: bool,
     /// Laws of what a contact is beside its angle and depth; none: it is upright, on flat ground, not dragged.
     pub contacts: Vec<ContactLaw>,
+    /// Values to which what the figures rest on is changed.
+    pub assumptions: Assumptions,
     /// Mesh level; none: the study's own, the standard at most.
     pub level: Option<Level>,
     /// Search for the best layouts.
@@ -187,6 +190,7 @@ impl Default for Layouts {
             dead: false,
             shear: false,
             contacts: Vec::new(),
+            assumptions: Assumptions::default(),
             level: None,
             search: None,
         }
@@ -339,6 +343,9 @@ impl Layouts {
         }
         if !self.contacts.is_empty() {
             put("contacts", laws_value(&self.contacts));
+        }
+        if self.assumptions != Assumptions::default() {
+            put("assumptions", self.assumptions.to_value());
         }
         if let Some(level) = self.level {
             put("level", level.as_str().into());

@@ -7,10 +7,24 @@ use crate::field::film_field::{DepthFields, LoadField, Noise};
 use crate::field::response_surface::Drawn;
 use crate::fisher::bounds::{bayes_angle_deg, bounds, weakest_signal};
 use crate::simulate::alike::alike;
+use crate::simulate::drawn_contacts::TrueContact;
 use crate::simulate::draws::Draws;
 use crate::simulate::reading_likelihood::Likelihood;
-use crate::simulate::simulation::{Simulated, simulate};
+use crate::simulate::simulation::{Simulated, simulate, simulate_unknown};
 use results::{ContactError, DeadFilm, LayoutScore, ShearScore};
+
+/// Largest simulated errors of a layout over the loads, with their standard errors by the number of samples.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct LargestErrors {
+    /// 95th percentile of the angle's error, degrees.
+    pub angle_deg: f64,
+    /// Standard error of it, degrees.
+    pub angle_se_deg: f64,
+    /// Root mean square error of the vertical force, N.
+    pub force_n: f64,
+    /// Standard error of it, N.
+    pub force_se_n: f64,
+}
 
 /// Scores layouts on the fields of one mesh.
 pub struct Scorer {
@@ -52,6 +66,11 @@ impl Scorer {
     #[must_use]
     pub fn with_draws(self, draws: Draws) -> Self {
         Self { draws, ..self }
+    }
+
+    /// Noise of its simulated readings.
+    pub fn draws(&self) -> &Draws {
+        &self.draws
     }
 
     /// The noise of each film.
@@ -115,6 +134,41 @@ impl Scorer {
             self.score(likelihood.fields(), *depth, &own, simulated)
         };
         self.depths_mm.iter().zip(&simulated).map(at).collect()
+    }
+
+    /// Largest errors over the depths: as assumed, or of contacts that an estimate takes for those of the depths.
+    ///
+    /// # Panics
+    /// Of a layout that wasn't announced.
+    pub fn largest_errors(
+        &self,
+        arrangement: &Arrangement,
+        unknown: Option<&[TrueContact]>,
+    ) -> LargestErrors {
+        let (likelihood, own) = self.own(arrangement);
+        let simulated = match unknown {
+            None => simulate(likelihood, &self.depths_mm, &own, &self.draws, Drawn::All),
+            Some(contacts) => {
+                let kinds = kinds_of(arrangement);
+                let contacts = contacts.iter().map(|contact| contact.of_kinds(&kinds));
+                let at: Vec<_> = self.depths_mm.iter().copied().zip(contacts).collect();
+                simulate_unknown(likelihood, &at, &own, &self.draws)
+            }
+        };
+        let mut largest = LargestErrors::default();
+        for (depth, found) in self.depths_mm.iter().zip(&simulated) {
+            let slope = likelihood.field(*depth).force_slope.abs();
+            if found.p95_angle_deg > largest.angle_deg {
+                largest.angle_deg = found.p95_angle_deg;
+                largest.angle_se_deg = found.p95_angle_se_deg;
+            }
+            let [force_n, force_se_n] = found.force_n(slope);
+            if force_n > largest.force_n {
+                largest.force_n = force_n;
+                largest.force_se_n = force_se_n;
+            }
+        }
+        largest
     }
 
     /// The depth where the bound with a flat prior is worst, mm, and that bound, degrees.

@@ -17,14 +17,28 @@ const STREAM: u64 = 1;
 pub(super) struct DrawnContacts {
     /// Fields at that depth.
     field: LoadField,
-    /// Contacts that differ, one for each sample; none where none does.
-    differing: Vec<Differing>,
+    /// Contacts that differ, one for each sample or one for all; none where none does.
+    differing: Vec<TrueContact>,
 }
 
-struct Differing {
-    force_n: f64,
+/// A contact as it is, whatever an estimate takes it for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TrueContact {
+    /// Vertical force, N.
+    pub force_n: f64,
     /// Signals by kind of film.
-    signals: Vec<Turn>,
+    pub signals: Vec<Turn>,
+}
+
+impl TrueContact {
+    /// The contact as some kinds of film feel it, in their order.
+    pub(crate) fn of_kinds(&self, kinds: &[usize]) -> Self {
+        let signals = kinds.iter().map(|kind| self.signals[*kind].clone());
+        Self {
+            force_n: self.force_n,
+            signals: signals.collect(),
+        }
+    }
 }
 
 impl DrawnContacts {
@@ -41,7 +55,7 @@ impl DrawnContacts {
                 let shares: Vec<f64> = surface.laws_of_axes().map(|_| uniform(&mut rng)).collect();
                 let contact = surface.contact(depth_mm, &surface.drawn(&shares, drawn));
                 let signal = |kind| Turn::new(surface.signal(&contact, kind));
-                Differing {
+                TrueContact {
                     force_n: surface.force_n(&contact),
                     signals: kinds.clone().map(signal).collect(),
                 }
@@ -53,9 +67,24 @@ impl DrawnContacts {
         }
     }
 
+    /// Takes every contact at a depth, mm, for this one.
+    pub(super) fn all_as(contact: TrueContact, likelihood: &Likelihood, depth_mm: f64) -> Self {
+        Self {
+            field: likelihood.field(depth_mm),
+            differing: vec![contact],
+        }
+    }
+
+    fn differing(&self, sample: usize) -> Option<&TrueContact> {
+        match self.differing.as_slice() {
+            [all] => Some(all),
+            each => each.get(sample),
+        }
+    }
+
     /// Signal in a sample of a kind of film.
     pub fn signal(&self, sample: usize, kind: usize) -> &Turn {
-        match self.differing.get(sample) {
+        match self.differing(sample) {
             Some(own) => &own.signals[kind],
             None => &self.field.kinds[kind].signal,
         }
@@ -63,6 +92,6 @@ impl DrawnContacts {
 
     /// Vertical force of a sample, N; none where contacts don't differ.
     pub fn force_n(&self, sample: usize) -> Option<f64> {
-        self.differing.get(sample).map(|own| own.force_n)
+        self.differing(sample).map(|own| own.force_n)
     }
 }

@@ -1,9 +1,9 @@
-//! Estimates from readings: the [`posterior`] of angle and depth, errors by [`simulation`] with [`draws`] of noise from [`normal_pairs`] and `drawn_contacts`, and the contacts that look most [`alike`].
+//! Estimates from readings: the [`posterior`] of angle and depth, errors by [`simulation`] with [`draws`] of noise from [`normal_pairs`] and [`drawn_contacts`], and the contacts that look most [`alike`].
 //!
 //! The posterior is that of a `reading_likelihood`, with products that are turned to each angle in `turned_products`, on a `posterior_grid`; `lanes` adds them up.
 
 pub mod alike;
-mod drawn_contacts;
+pub mod drawn_contacts;
 pub mod draws;
 mod lanes;
 pub mod normal_pairs;

@@ -5,7 +5,7 @@ use ndarray::Array2;
 
 use crate::arrangement::Arrangement;
 use crate::field::response_surface::Drawn;
-use crate::simulate::drawn_contacts::DrawnContacts;
+use crate::simulate::drawn_contacts::{DrawnContacts, TrueContact};
 use crate::simulate::draws::Draws;
 use crate::simulate::posterior::Estimator;
 use crate::simulate::reading_likelihood::Likelihood;
@@ -42,6 +42,24 @@ impl Simulated {
         let by_depth = [self.rms_depth_mm * slope, self.rms_depth_se_mm * slope];
         self.rms_force_n.unwrap_or(by_depth)
     }
+}
+
+/// Estimates contacts that an estimate takes for the usual ones at each of some depths, mm, from readings with noise.
+///
+/// # Panics
+/// If there are more films than draws.
+pub(crate) fn simulate_unknown(
+    likelihood: &Likelihood,
+    contacts: &[(f64, TrueContact)],
+    arrangement: &Arrangement,
+    draws: &Draws,
+) -> Vec<Simulated> {
+    let estimator = Estimator::new(likelihood, arrangement);
+    let of = |(depth, contact): &(f64, TrueContact)| {
+        let all = DrawnContacts::all_as(contact.clone(), likelihood, *depth);
+        simulate_at(*depth, (&estimator, likelihood), arrangement, draws, &all)
+    };
+    contacts.iter().map(of).collect()
 }
 
 /// Estimates contacts at each of some depths (mm) from readings with noise.

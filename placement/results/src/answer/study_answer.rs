@@ -3,6 +3,7 @@
 use documents::parts::film_model::FilmModel;
 use serde::{Deserialize, Serialize};
 
+use super::assumption_findings::RestsOn;
 use super::certainty_word::Certainty;
 use super::film_sheet::SheetFilm;
 use super::trade_answer::TradeAnswer;
@@ -29,6 +30,9 @@ pub struct Answer {
     /// Films of the answer's layout, one by one, as they are glued.
     #[serde(default)]
     pub films: Vec<SheetFilm>,
+    /// Assumptions that its layout's figures rest on most; null where no layout answers.
+    #[serde(default)]
+    pub rests_on: Option<RestsOn>,
     /// Inputs that matter, of all there are; null where the strain at the contact centre has no index.
     #[serde(default)]
     pub inputs: Option<InputsAnswer>,

@@ -9,4 +9,4 @@ mod rivals;
 mod trade_words;
 
 pub(super) use film_trade::trade;
-pub(super) use picked_layout::{PickedLayout, picked_layout};
+pub(super) use picked_layout::{PickedLayout, contenders, picked_layout};

@@ -16,8 +16,21 @@ pub(crate) struct PickedLayout {
     pub brief: String,
 }
 
+/// The layout that a trade picks, and so many that could answer in its place, the best first.
+pub(crate) fn contenders<'a>(
+    trade: &TradeAnswer,
+    layouts: &'a [RankedLayout],
+    others: usize,
+) -> Vec<&'a RankedLayout> {
+    let Some(picked) = picked(trade, layouts) else {
+        return Vec::new();
+    };
+    let rivals = Rivals::of(picked, layouts, trade);
+    std::iter::once(picked).chain(rivals.best(others)).collect()
+}
+
 /// The layout that a trade picks; where it picks none, the one that comes closest.
-pub(crate) fn picked_layout(trade: &TradeAnswer, layouts: &[RankedLayout]) -> Option<PickedLayout> {
+fn picked<'a>(trade: &TradeAnswer, layouts: &'a [RankedLayout]) -> Option<&'a RankedLayout> {
     let question = &trade.question;
     let value = |layout: &RankedLayout| {
         Figures::of(layout)
@@ -40,10 +53,15 @@ pub(crate) fn picked_layout(trade: &TradeAnswer, layouts: &[RankedLayout]) -> Op
                 .total_cmp(&value(b).unwrap_or(f64::MAX))
         })
     };
-    let picked = match trade.picked {
-        Some(row) => &layouts[trade.rows[row].index],
-        None => closest().or_else(|| layouts.first())?,
-    };
+    match trade.picked {
+        Some(row) => Some(&layouts[trade.rows[row].index]),
+        None => closest().or_else(|| layouts.first()),
+    }
+}
+
+/// The layout that a trade picks, with its verdict.
+pub(crate) fn picked_layout(trade: &TradeAnswer, layouts: &[RankedLayout]) -> Option<PickedLayout> {
+    let picked = picked(trade, layouts)?;
     let found = Figures::of(picked).angle?;
     let is_lost = found.value > LOST_DEG;
     let rivals = Rivals::of(picked, layouts, trade);

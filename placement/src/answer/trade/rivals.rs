@@ -12,18 +12,18 @@ const NAMED: usize = 3;
 const EQUAL: f64 = 1e-9;
 
 /// The picked layout beside those that could answer in its place.
-pub(super) struct Rivals<'a> {
-    picked: &'a RankedLayout,
-    trade: &'a TradeAnswer,
+pub(super) struct Rivals<'l, 't> {
+    picked: &'l RankedLayout,
+    trade: &'t TradeAnswer,
     /// Layouts with as few films, without mirror images of the picked one, best first; where limits are asked, those with fewer films.
-    others: Vec<&'a RankedLayout>,
+    others: Vec<&'l RankedLayout>,
 }
 
-impl<'a> Rivals<'a> {
+impl<'l, 't> Rivals<'l, 't> {
     pub fn of(
-        picked: &'a RankedLayout,
-        layouts: &'a [RankedLayout],
-        trade: &'a TradeAnswer,
+        picked: &'l RankedLayout,
+        layouts: &'l [RankedLayout],
+        trade: &'t TradeAnswer,
     ) -> Self {
         let question = &trade.question;
         let own = Figures::of(picked)
@@ -57,6 +57,11 @@ impl<'a> Rivals<'a> {
             trade,
             others,
         }
+    }
+
+    /// The best of the others.
+    pub fn best(&self, most: usize) -> Vec<&'l RankedLayout> {
+        self.others.iter().take(most).copied().collect()
     }
 
     /// Whether limits decide: the picked one meets them, and others don't.

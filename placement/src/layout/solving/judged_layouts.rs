@@ -37,6 +37,8 @@ pub(crate) const FULL_TO_SHORT: usize = 5;
 pub(crate) struct Answer<'s> {
     pub level: Level,
     pub scenes: &'s LayoutScenes,
+    /// Kinds of film of the finer mesh, with their volts where they are glued.
+    pub kinds: Vec<FilmKind>,
     pub fine: MeshFields,
     pub coarse: Option<(MeshFields, Coarser)>,
     /// Error of the response surface over contacts, where they differ.
@@ -45,15 +47,26 @@ pub(crate) struct Answer<'s> {
     pub films: Option<FilmAnglesReport>,
 }
 
+/// Judgement of layouts.
+pub(crate) struct Judged {
+    /// Layouts in their order.
+    pub ranked: Vec<RankedLayout>,
+    pub findings: LayoutFindings,
+    /// Arrangements of these, as they were scored.
+    pub scored: Vec<AskedLayout>,
+    /// Draws of their simulated readings.
+    pub draws: Draws,
+}
+
 impl Answer<'_> {
-    /// Ranks the layouts, and says what they show; sources of errors are those at a depth, mm, the study's own.
+    /// Ranks the layouts, and says what they show. Sources of errors are those at a depth, mm, the study's own.
     pub fn filled(
         &self,
         study: &Study,
         mut asked: Asked,
         (depth_mm, slopes): (f64, Option<&MapSlopes>),
         context: RunContext<'_>,
-    ) -> Result<(Vec<RankedLayout>, LayoutFindings), RunError> {
+    ) -> Result<Judged, RunError> {
         let settings = &study.layouts;
         let noise = noise(settings, &self.fine);
         let depths = self.depths();
@@ -124,6 +137,7 @@ impl Answer<'_> {
                 .map(|(_, coarser)| coarser.level.as_str().to_owned()),
             contacts: self.contacts.clone(),
             films: self.films.clone(),
+            assumptions: None,
             menu,
             front: front(&layouts),
             tau_of_bound: tau_of_bound(&layouts),
@@ -133,12 +147,17 @@ impl Answer<'_> {
             loads: load_rows,
             reasons: self.fine.reasons.clone(),
         };
-        Ok((layouts, findings))
+        Ok(Judged {
+            ranked: layouts,
+            findings,
+            scored: asked.layouts,
+            draws: fine.draws().clone(),
+        })
     }
 
     /// Depths of the loads that were reached on both meshes, mm.
     fn depths(&self) -> Vec<f64> {
-        self.fine.loads.iter().flatten().copied().collect()
+        self.fine.depths()
     }
 
     fn scorer(&self, fields: &MeshFields, asked: &Asked, study: &Study) -> Scorer {

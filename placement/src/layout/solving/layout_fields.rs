@@ -92,6 +92,11 @@ pub fn mesh_fields(
 }
 
 impl MeshFields {
+    /// Depths of the loads that were reached, mm.
+    pub(crate) fn depths(&self) -> Vec<f64> {
+        self.loads.iter().flatten().copied().collect()
+    }
+
     /// The crown's largest signal at the load in the middle.
     ///
     /// # Errors

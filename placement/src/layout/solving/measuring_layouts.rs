@@ -28,6 +28,7 @@ use layouts::arrangement::FilmKind;
 use layouts::field::film_field::DepthFields;
 use layouts::field::response_surface::Drawn;
 use layouts::ranking::asked_layouts::AskedLayout;
+use layouts::simulate::draws::Draws;
 use results::{
     ContactFindings, FilmAnglesReport, GradedNote, LayoutFindings, LayoutScore, RankedLayout,
     StudyResult, Topic,
@@ -36,7 +37,19 @@ use results::{
 const ORDER_NOTE: &str = "Layouts are in the order of their simulated error (95th percentile at the worst load) times the root of the number of films; their \
      Cramer-Rao bounds are lower, and far lower where two places look alike.";
 
-/// Fills in a result's layouts, with what the inputs do to them by the map's slopes. The points have ordinals from `first` on.
+/// Layouts that were scored, and the finer mesh's fields that they were scored by.
+pub(crate) struct ScoredLayouts {
+    pub layouts: Vec<AskedLayout>,
+    /// Draws of their simulated readings.
+    pub draws: Draws,
+    pub level: Level,
+    pub scenes: LayoutScenes,
+    /// Kinds of film, with their volts where they are glued.
+    pub kinds: Vec<FilmKind>,
+    pub fields: MeshFields,
+}
+
+/// Fills in a result's layouts, with what the inputs do to them by the map's slopes; gives what they were scored by. The points have ordinals from `first` on.
 ///
 /// # Errors
 /// See [`RunError`]; the result is unchanged then.
@@ -46,29 +59,37 @@ pub(crate) fn measure(
     plan: &Plan,
     (result, slopes): (&mut StudyResult, Option<&MapSlopes>),
     context: RunContext<'_>,
-) -> Result<(), RunError> {
+) -> Result<Option<ScoredLayouts>, RunError> {
     if !study.layouts.is_asked() {
-        return Ok(());
+        return Ok(None);
     }
     let asked = Asked::of(study);
     let scenes = LayoutScenes::of(&study.layouts, &plan.points[0]);
     let mut solves = 0;
-    let answer = match scenes {
-        Err(reason) => Err(reason),
+    let answer = match &scenes {
+        Err(reason) => Err(reason.clone()),
         Ok(scenes) => {
-            let (answer, points) = both_meshes(first, study, plan, &asked, &scenes, context)?;
+            let (answer, points) = both_meshes(first, study, plan, &asked, scenes, context)?;
             solves = points;
-            let depth_mm = result.cut_point.depth_mm;
-            answer.map(|answer| answer.filled(study, asked.clone(), (depth_mm, slopes), context))
+            answer
         }
     };
     result.cost.layout_solves = solves;
     match answer {
-        Ok(found) => {
-            let (layouts, findings) = found?;
+        Ok(answer) => {
+            let own = (result.cut_point.depth_mm, slopes);
+            let judged = answer.filled(study, asked, own, context)?;
             result.note(GradedNote::bearing(Topic::Layout, ORDER_NOTE));
-            result.layouts = layouts;
-            result.layout_findings = Some(findings);
+            result.layouts = judged.ranked;
+            result.layout_findings = Some(judged.findings);
+            Ok(Some(ScoredLayouts {
+                layouts: judged.scored,
+                draws: judged.draws,
+                level: answer.level,
+                scenes: answer.scenes.clone(),
+                kinds: answer.kinds,
+                fields: answer.fine,
+            }))
         }
         Err(reason) => {
             result.layouts = without_scores(&asked, &reason);
@@ -78,9 +99,9 @@ pub(crate) fn measure(
                 reasons: vec![reason],
                 ..LayoutFindings::default()
             });
+            Ok(None)
         }
     }
-    Ok(())
 }
 
 /// Solves both meshes, or says why there is nothing; and how many points that took.
@@ -124,18 +145,16 @@ pub(crate) fn both_meshes<'s>(
         Some(contacts) => differ(&mut answers, &contacts, asked, means, &mut place, context)?,
         None => None,
     };
-    let (fine, films) = match answers.remove(0) {
-        Ok(answer) => (Ok(answer.fields), answer.films),
-        Err(reason) => (Err(reason), None),
-    };
+    let fine = answers.remove(0);
     let coarse = coarser.and_then(|coarser| Some((answers.pop()?.ok()?.fields, coarser)));
     let answer = fine.map(|fine| Answer {
         level,
         scenes,
-        fine,
+        kinds: fine.kinds,
+        fine: fine.fields,
         coarse,
         contacts: judged,
-        films,
+        films: fine.films,
     });
     Ok((answer, place.first - first))
 }

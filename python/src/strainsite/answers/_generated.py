@@ -12,6 +12,8 @@ __all__ = [
     "AlikeContacts",
     "Answer",
     "AskewError",
+    "AssumptionChange",
+    "AssumptionFindings",
     "BeginningsReport",
     "Candidate",
     "Candidates",
@@ -112,6 +114,7 @@ __all__ = [
     "RecordingSeries",
     "ResponseError",
     "RestedReport",
+    "RestsOn",
     "RingLoad",
     "Rings",
     "Section",
@@ -196,6 +199,8 @@ class Answer:
     """The trade of films against errors; None where no layout has a score."""
     films: tuple[SheetFilm, ...] = ()
     """Films of the answer's layout, one by one, as they are glued."""
+    rests_on: RestsOn | None = None
+    """Assumptions that its layout's figures rest on most; None where no layout answers."""
     inputs: InputsAnswer | None = None
     """Inputs that matter, of all there are; None where the strain at the contact centre has no index."""
     signals: SignalsAnswer | None = None
@@ -214,6 +219,43 @@ class AskewError:
     """Standard deviation of the films' places around the wheel, degrees."""
     error: TrialError
     """Error of the estimates then."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class AssumptionChange:
+    """An assumption, changed."""
+
+    of: str
+    """Name of the assumption: `noise`, `drift`, `gain`, `place`, `pressure`, `camber` or `friction`."""
+    words: str
+    """Change in words, as in `a pressure 10 % lower`."""
+    angle_error_deg: float
+    """The angle's error then, degrees."""
+    force_error_n: float
+    """The force's error then, N."""
+    times: float
+    """Larger of both errors' ratios to those as assumed; of a smaller error one over that."""
+    better_rank: int | None = None
+    """Rank of a layout of no more films that does better then, by more than chance; None where this one stays."""
+    meets: bool | None = None
+    """Whether it keeps to the limits of the question then; None where none is asked, or none was kept as assumed."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class AssumptionFindings:
+    """Figures of the layout that answers, with what they rest on changed, one at a time."""
+
+    rank: int
+    """Rank of that layout."""
+    angle_error_deg: float
+    """95 of 100 contact angles are estimated better than this at the worst load, degrees, as assumed."""
+    force_error_n: float
+    """Error of the vertical force at the load where that is largest, root mean square, N, as assumed."""
+    changes: tuple[AssumptionChange, ...]
+    """Changed assumptions, the one that changes the figures most first."""
+    unchanged: tuple[str, ...]
+    """Assumptions that weren't changed, in words: those that the document names no value of, and those whose scene
+    has no answer."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -1482,6 +1524,8 @@ class LayoutFindings:
     films: FilmAnglesReport | None = None
     """Films that are glued on and solved with the tire around the wheel: how far their signals are off, and would be
     by a transfer alone."""
+    assumptions: AssumptionFindings | None = None
+    """Assumptions of the layout that answers, changed one at a time; absent where no layout answers."""
     menu: MenuFindings | None = None
     """Menu of layouts, where the document names none."""
     front: tuple[FrontLayout, ...]
@@ -2108,6 +2152,17 @@ class RestedReport:
     """N"""
     recorded_rmse_n: float
     """RMSE of the same rows of the runs as recorded, N."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class RestsOn:
+    """Assumptions that the figures of the layout that answers rest on most, in words."""
+
+    sentence: str
+    """The figures as assumed, and with each of the three changes that move them most; whole sentences."""
+    brief: str
+    """The three changes in few characters, as in `twice the noise: 21.4 degrees; a pressure 10 % lower: 2.31 N`, and
+    what would answer then in this one's place; empty where none moves a figure by a tenth."""
 
 
 @dataclass(frozen=True, kw_only=True)

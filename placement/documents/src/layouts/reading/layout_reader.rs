@@ -19,6 +19,7 @@ use crate::layouts::layout_bounds::{
 use crate::layouts::layout_settings::{
     FreeLayout, LayoutLoads, Layouts, NoiseFloor, NoiseSettings,
 };
+use crate::layouts::reading::assumption_reader::assumptions;
 use crate::layouts::reading::contact_reader::{check_contacts, contacts};
 use crate::layouts::reading::film_size_reader::{StudyFilm, check_film, check_sizes, read_films};
 use crate::layouts::reading::limits_reader::gluing_limits;
@@ -68,6 +69,7 @@ pub(crate) fn layouts(
         "dead",
         "shear",
         "contacts",
+        "assumptions",
         "level",
         "search",
     ];
@@ -147,6 +149,7 @@ pub(crate) fn layouts(
         check_usual(scene, &fields.at("shear"), "is", faults);
     }
     layouts.contacts = contacts(&fields, faults);
+    layouts.assumptions = assumptions(&fields, faults);
     let free =
         |value: &Value, at: &str, faults: &mut Vec<Fault>| free_layout(value, at, scene, faults);
     if let Some((value, at)) = fields.get("free") {

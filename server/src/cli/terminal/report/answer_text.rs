@@ -27,6 +27,9 @@ pub fn answer(result: &StudyResult) -> String {
     for beside in answer.inputs.iter().flat_map(|inputs| &inputs.beside) {
         text += &labelled(STRONG, "inputs", &visible(&beside.sentence));
     }
+    if let Some(rests_on) = &answer.rests_on {
+        text += &labelled(STRONG, "rests on", &visible(&rests_on.sentence));
+    }
     text += &labelled(STRONG, "left out", &left_out(answer));
     if let Some(surer) = &answer.surer {
         text += &labelled(STRONG, "surer", &surer.sentence);

@@ -16,7 +16,7 @@ import type { Answer } from "../../../wire.ts";
 
 /** The answer first, then how sure it is, then what it leaves out and, of one that isn't certain, what a surer one costs; the figures behind it folded. The layout has a line of its own where the verdict is the place's, and inputs where there are more than the depths below the places. */
 export function AnswerText({ answer, notes, places, sheet }: { answer: Answer; notes: string[]; places: number; sheet: string }) {
-  const { verdict, place, layout, inputs, left_out, surer } = answer;
+  const { verdict, place, layout, inputs, rests_on, left_out, surer } = answer;
   return (
     <div class="answer-text">
       <p class="answer-sentence">{firstOf(answer.sentence)}</p>
@@ -43,6 +43,7 @@ export function AnswerText({ answer, notes, places, sheet }: { answer: Answer; n
             {besideWords(beside)}
           </Fact>
         ))}
+        {rests_on != null && rests_on.brief !== "" && <Fact name="Rests on">{typeset(rests_on.brief)}</Fact>}
         {left_out != null && <Fact name="Left out">{leftOutWords(left_out)}</Fact>}
         {surer != null && verdict !== "certain" && <Fact name="Surer">{surerWords(surer)}</Fact>}
       </dl>
@@ -66,9 +67,9 @@ function Fact({ name, children }: { name: string; children: ComponentChildren })
 }
 
 /** All sentences in full, and the notes that bear on the answer. */
-function Why({ answer: { sentence, place, layout, trade, inputs, left_out, surer }, notes }: { answer: Answer; notes: string[] }) {
+function Why({ answer: { sentence, place, layout, trade, inputs, rests_on, left_out, surer }, notes }: { answer: Answer; notes: string[] }) {
   const beside = (inputs?.beside ?? []).map(({ sentence }) => sentence);
-  const whole = [sentence, trade?.menu, place?.reason, layout?.reason, ...beside, left_out?.sentence, surer?.sentence].filter(
+  const whole = [sentence, trade?.menu, place?.reason, layout?.reason, ...beside, rests_on?.sentence, left_out?.sentence, surer?.sentence].filter(
     (sentence) => sentence !== undefined,
   );
   return (

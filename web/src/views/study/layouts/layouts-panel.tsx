@@ -2,7 +2,8 @@ import { address } from "../../../api.ts";
 import { answersLayout } from "../../../lib/study/result-picks.ts";
 import type { LayoutFindings, StudyResult } from "../../../wire.ts";
 import { GluedNote } from "../forces/glued-note.tsx";
-import { ContactsTable } from "./contacts-table.tsx";
+import { AssumptionsTable } from "./errors/assumptions-table.tsx";
+import { ContactsTable } from "./errors/contacts-table.tsx";
 import { LayoutAnswer } from "./layout-answer.tsx";
 import { LayoutErrors } from "./layout-errors.tsx";
 import { RankedLayouts } from "./ranked-layouts.tsx";
@@ -23,6 +24,7 @@ export function LayoutsPanel({ result, findings }: { result: StudyResult; findin
         </p>
       ))}
       <LayoutErrors study={study.name} layouts={rows} loads={findings.loads} />
+      <AssumptionsTable layout={answersLayout(result) ?? rows[0]} assumptions={findings.assumptions} />
       <ContactsTable layout={answersLayout(result) ?? rows[0]} contacts={findings.contacts} />
       {findings.films != null && <GluedNote films={findings.films} />}
       <RankedLayouts layouts={rows} findings={findings} csv={csv} />

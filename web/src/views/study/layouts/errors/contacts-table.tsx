@@ -1,6 +1,7 @@
-import { layoutWords, short } from "../../../lib/layouts/layout-words.ts";
-import type { ContactFindings, RankedLayout } from "../../../wire.ts";
-import { ScrollTable, words } from "../../shared/scroll-table.tsx";
+import { layoutWords, short } from "../../../../lib/layouts/layout-words.ts";
+import type { ContactFindings, RankedLayout } from "../../../../wire.ts";
+import { ScrollTable, words } from "../../../shared/scroll-table.tsx";
+import { ErrorRow } from "./error-row.tsx";
 
 /** What contacts as they come do to a layout: each quantity alone, and all of them, at the load where that is worst. */
 export function ContactsTable({ layout, contacts }: { layout: RankedLayout | undefined; contacts: ContactFindings | null | undefined }) {
@@ -12,14 +13,14 @@ export function ContactsTable({ layout, contacts }: { layout: RankedLayout | und
       <ScrollTable name="Errors by contacts" columns={[words("Contacts that differ in"), "Angle, 95 %, °", "Force, rms, N"]}>
         <tbody>
           {alone.map((own) => (
-            <Row
+            <ErrorRow
               key={own.of}
               of={own.of === "noise" ? "nothing: noise alone" : `${own.words} alone`}
               angle={own.p95_angle_error_deg}
               force={own.force_error_n}
             />
           ))}
-          <Row of="all of it" angle={layout.score.simulated_p95_angle_error_deg} force={layout.worst_force?.error_n} />
+          <ErrorRow of="all of it" angle={layout.score.simulated_p95_angle_error_deg} force={layout.worst_force?.error_n} />
         </tbody>
       </ScrollTable>
       <p class="quiet">
@@ -29,17 +30,5 @@ export function ContactsTable({ layout, contacts }: { layout: RankedLayout | und
         {(contacts.short ?? []).map((each) => ` Drawn no further than could be solved: ${each}.`)}
       </p>
     </>
-  );
-}
-
-function Row({ of, angle, force }: { of: string; angle: number | null | undefined; force: number | null | undefined }) {
-  return (
-    <tr>
-      <th scope="row" class="words">
-        {of}
-      </th>
-      <td>{short(angle)}</td>
-      <td>{short(force)}</td>
-    </tr>
   );
 }

@@ -1,0 +1,191 @@
+//! Assumptions with their changed values.
+
+use fem_client::scene::Scene;
+
+use documents::layouts::layout_settings::Layouts;
+use layouts::field::film_field::Noise;
+
+/// An assumption with its changed value.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Changed {
+    /// Noise, so many times as large.
+    Noise(f64),
+    /// Drift beside the noise, over the crown's largest signal.
+    Drift(f64),
+    /// Standard deviation of the gains.
+    Gain(f64),
+    /// Standard deviation of the places around the wheel, degrees.
+    Place(f64),
+    /// Pressure, so many times as large.
+    Pressure(f64),
+    /// Inclination of the wheel, degrees.
+    Camber(f64),
+    /// Friction of the ground, with that of the scene.
+    Friction(f64, f64),
+}
+
+impl Changed {
+    /// Changes of what a study's readings are off by, that change something.
+    pub fn of_readings(settings: &Layouts) -> Vec<Self> {
+        let (changed, own) = (&settings.assumptions, &settings.noise);
+        let more = |changed: f64, own: f64| if changed > own { changed } else { 2.0 * own };
+        let all = [
+            Self::Noise(changed.noise_factor),
+            Self::Drift(changed.drift_share),
+            Self::Gain(more(changed.gain_std, own.gain_std)),
+            Self::Place(more(changed.place_std_deg, own.place_std_deg)),
+        ];
+        let is_none = |own: &Self| match own {
+            Self::Noise(factor) => *factor == 1.0,
+            Self::Drift(value) | Self::Gain(value) | Self::Place(value) => *value == 0.0,
+            _ => true,
+        };
+        all.into_iter().filter(|own| !is_none(own)).collect()
+    }
+
+    /// Changes of a scene that a study asks for, that change something.
+    pub fn of_scene(settings: &Layouts, scene: &Scene) -> Vec<Self> {
+        let changed = &settings.assumptions;
+        let friction = scene.contact.friction;
+        let all = [
+            changed.pressure_factor.map(Self::Pressure),
+            changed.camber_deg.map(Self::Camber),
+            changed
+                .friction
+                .map(|value| Self::Friction(value, friction)),
+        ];
+        let is_none = |own: &Self| match own {
+            Self::Pressure(factor) => *factor == 1.0,
+            Self::Camber(camber) => *camber == scene.ground.camber_deg,
+            Self::Friction(value, own) => value == own,
+            _ => true,
+        };
+        let all = all.into_iter().flatten();
+        all.filter(|own| !is_none(own)).collect()
+    }
+
+    /// Name of the assumption.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Noise(_) => "noise",
+            Self::Drift(_) => "drift",
+            Self::Gain(_) => "gain",
+            Self::Place(_) => "place",
+            Self::Pressure(_) => "pressure",
+            Self::Camber(_) => "camber",
+            Self::Friction(..) => "friction",
+        }
+    }
+
+    /// Change in words, as they follow `with`.
+    pub fn words(&self) -> String {
+        let percent = |share: f64| format!("{:.3}", 100.0 * share);
+        let percent = |share: f64| {
+            let text = percent(share);
+            format!("{} %", text.trim_end_matches('0').trim_end_matches('.'))
+        };
+        match self {
+            Self::Noise(2.0) => "twice the noise".to_owned(),
+            Self::Noise(factor) => format!("{factor} times the noise"),
+            Self::Drift(share) => format!("a drift of {} beside the noise", percent(*share)),
+            Self::Gain(std) => format!("gains that differ by {}", percent(*std)),
+            Self::Place(std) => format!("films glued {std} degrees off"),
+            Self::Pressure(factor) if *factor < 1.0 => {
+                format!("a pressure {} lower", percent(1.0 - factor))
+            }
+            Self::Pressure(factor) => format!("a pressure {} higher", percent(factor - 1.0)),
+            Self::Camber(camber) => format!("a wheel that leans by {camber} degrees"),
+            Self::Friction(value, own) => format!("a friction of {value} in place of {own}"),
+        }
+    }
+
+    /// Errors of readings as changed; the crown's largest signal is this.
+    pub fn noise(&self, own: Noise, crown: f64) -> Noise {
+        match self {
+            Self::Noise(factor) => Noise {
+                floor: factor * own.floor,
+                ..own
+            },
+            Self::Drift(share) => Noise {
+                floor: own.floor.hypot(share * crown),
+                ..own
+            },
+            Self::Gain(gain_std) => Noise {
+                gain_std: *gain_std,
+                ..own
+            },
+            Self::Place(place_std_deg) => Noise {
+                place_std_deg: *place_std_deg,
+                ..own
+            },
+            Self::Pressure(_) | Self::Camber(_) | Self::Friction(..) => own,
+        }
+    }
+
+    /// Changes a scene.
+    pub fn change(&self, scene: &mut Scene) {
+        match self {
+            Self::Pressure(factor) => scene.pressure.internal_mpa *= factor,
+            Self::Camber(camber) => scene.ground.camber_deg = *camber,
+            Self::Friction(value, _) => scene.contact.friction = *value,
+            Self::Noise(_) | Self::Drift(_) | Self::Gain(_) | Self::Place(_) => {}
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use documents::layouts::assumptions::Assumptions;
+
+    use super::*;
+
+    #[test]
+    fn what_changes_nothing_is_left_out_and_what_is_assumed_already_is_doubled() {
+        let mut settings = Layouts::default();
+        let usual = Changed::of_readings(&settings);
+        let expected = [
+            Changed::Noise(2.0),
+            Changed::Drift(0.02),
+            Changed::Gain(0.1),
+            Changed::Place(2.0),
+        ];
+        assert_eq!(usual, expected);
+        settings.assumptions = Assumptions {
+            noise_factor: 1.0,
+            drift_share: 0.0,
+            pressure_factor: Some(0.9),
+            camber_deg: Some(0.0),
+            friction: Some(0.5),
+            ..Assumptions::default()
+        };
+        settings.noise.gain_std = 0.2;
+        let changed = Changed::of_readings(&settings);
+        assert_eq!(changed, [Changed::Gain(0.4), Changed::Place(2.0)]);
+        let of_scene = Changed::of_scene(&settings, &Scene::default());
+        assert_eq!(
+            of_scene,
+            [Changed::Pressure(0.9), Changed::Friction(0.5, 0.0)]
+        );
+    }
+
+    #[test]
+    fn changes_are_told_in_words() {
+        let told = [
+            (Changed::Noise(2.0), "twice the noise"),
+            (Changed::Noise(0.5), "0.5 times the noise"),
+            (Changed::Drift(0.02), "a drift of 2 % beside the noise"),
+            (Changed::Gain(0.125), "gains that differ by 12.5 %"),
+            (Changed::Place(2.0), "films glued 2 degrees off"),
+            (Changed::Pressure(0.9), "a pressure 10 % lower"),
+            (Changed::Pressure(1.05), "a pressure 5 % higher"),
+            (Changed::Camber(5.0), "a wheel that leans by 5 degrees"),
+            (
+                Changed::Friction(0.5, 0.0),
+                "a friction of 0.5 in place of 0",
+            ),
+        ];
+        for (changed, words) in told {
+            assert_eq!(changed.words(), words);
+        }
+    }
+}

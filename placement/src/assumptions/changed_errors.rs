@@ -1,0 +1,113 @@
+//! Errors of layouts as assumed, and with an assumption changed.
+
+use super::changed::Changed;
+use crate::answer::{Figure, Figures};
+use documents::study::question::Question;
+use layouts::arrangement::Arrangement;
+use layouts::field::film_field::Noise;
+use layouts::ranking::layout_scores::{LargestErrors, Scorer};
+use layouts::simulate::drawn_contacts::TrueContact;
+use layouts::simulate::draws::Draws;
+use results::AssumptionChange;
+
+use crate::layout::solving::layout_fields::MeshFields;
+
+/// Standard errors of the simulation by which another layout must do better.
+const DEVIATIONS: f64 = 2.0;
+
+/// Layouts whose errors are compared, the one that answers first, with their ranks.
+pub(super) struct Compared<'a> {
+    pub fields: &'a MeshFields,
+    pub noise: Noise,
+    pub draws: &'a Draws,
+    pub layouts: Vec<(usize, &'a Arrangement)>,
+    pub question: Question,
+}
+
+impl Compared<'_> {
+    fn errors(&self, noise: Noise, contacts: Option<&[TrueContact]>) -> Vec<LargestErrors> {
+        let arrangements = || self.layouts.iter().map(|(_, arrangement)| *arrangement);
+        let depths = self.fields.depths();
+        let scorer = Scorer::new(
+            &self.fields.fields,
+            noise,
+            depths,
+            arrangements(),
+            (0, 1),
+            false,
+        );
+        let scorer = scorer.with_draws(self.draws.clone());
+        arrangements()
+            .map(|arrangement| scorer.largest_errors(arrangement, contacts))
+            .collect()
+    }
+
+    /// Errors of each layout as assumed.
+    pub fn assumed(&self) -> Vec<LargestErrors> {
+        self.errors(self.noise, None)
+    }
+
+    /// Errors with a change, or with contacts that are taken for others, beside those as assumed.
+    pub fn changed(
+        &self,
+        change: &Changed,
+        contacts: Option<&[TrueContact]>,
+        assumed: &LargestErrors,
+    ) -> AssumptionChange {
+        let errors = self.errors(change.noise(self.noise, self.fields.crown), contacts);
+        let own = errors[0];
+        let times = |changed: f64, assumed: f64| {
+            let ratio = changed / assumed;
+            ratio.max(1.0 / ratio)
+        };
+        let both = [
+            times(own.angle_deg, assumed.angle_deg),
+            times(own.force_n, assumed.force_n),
+        ];
+        let others = self.layouts.iter().zip(&errors).skip(1);
+        let better = others.filter(|(_, errors)| self.is_better(errors, &own));
+        let best = better.min_by(|(_, a), (_, b)| self.value(a).total_cmp(&self.value(b)));
+        let keeps = |errors: &LargestErrors| self.value(errors) <= 1.0;
+        let was_kept = self.question.has_limits() && keeps(assumed);
+        AssumptionChange {
+            of: change.name().to_owned(),
+            words: change.words(),
+            angle_error_deg: own.angle_deg,
+            force_error_n: own.force_n,
+            times: both
+                .into_iter()
+                .filter(|times| times.is_finite())
+                .fold(1.0, f64::max),
+            better_rank: best.map(|((rank, _), _)| *rank),
+            meets: was_kept.then(|| keeps(&own)),
+        }
+    }
+
+    /// Figure that layouts are compared by, with what chance leaves open.
+    fn figure(&self, errors: &LargestErrors) -> Figure {
+        let figure = |value: f64, se: f64| {
+            Some(Figure {
+                value,
+                claim: Some(DEVIATIONS * se),
+            })
+        };
+        let figures = Figures {
+            angle: figure(errors.angle_deg, errors.angle_se_deg),
+            force: figure(errors.force_n, errors.force_se_n),
+        };
+        figures.compared(&self.question).unwrap_or(Figure {
+            value: f64::INFINITY,
+            claim: None,
+        })
+    }
+
+    fn value(&self, errors: &LargestErrors) -> f64 {
+        self.figure(errors).value
+    }
+
+    fn is_better(&self, other: &LargestErrors, own: &LargestErrors) -> bool {
+        let [other, own] = [other, own].map(|errors| self.figure(errors));
+        let open = other.claim.unwrap_or(0.0).hypot(own.claim.unwrap_or(0.0));
+        other.value + open < own.value
+    }
+}
