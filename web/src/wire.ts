@@ -2708,7 +2708,7 @@ export interface components {
         RestsOn: {
             /** @description The figures as assumed, and with each of the three changes that move them most; whole sentences. */
             sentence: string;
-            /** @description The three changes in few characters, as in `twice the noise: 21.4 degrees; a pressure 10 % lower: 2.31 N`, and what would answer then in this one's place; empty where none moves a figure by a tenth. */
+            /** @description The one that moves them most in few characters, as in `pressure: 2.31 N`, and what would answer with a change in this one's place; empty where none moves a figure by a tenth. */
             brief: string;
         };
         /** @description A load of layouts. */
@@ -4427,6 +4427,35 @@ export interface components {
              * @default 0
              */
             camber_deg: number;
+            /** @description Profile of the ground beside its stations, the same at every depth; a plane when left out. */
+            profile?: components["schemas"]["GroundProfileDocument"];
+        };
+        /** @description Profile of the ground: its highest points are as high as the stations' ground. */
+        GroundProfileDocument: {
+            /**
+             * @description Kind of the profile. `sphere`: A sphere; beyond nine tenths of its radius a cone goes on from there. `cylinder`: A cylinder that lies on the ground; beyond nine tenths of its radius planes go on from there. `edge`: A rounded edge, behind which the ground falls off.
+             * @default sphere
+             * @enum {string}
+             */
+            kind: "sphere" | "cylinder" | "edge";
+            /**
+             * @description Radius of the round, mm.
+             * @default 10
+             */
+            radius_mm: number;
+            /**
+             * @description Place of its highest point, along the wheel (x, rolling direction) and across it (y, along the axle) from where the tire touches flat ground, mm.
+             * @default [
+             *       0,
+             *       0
+             *     ]
+             */
+            place_mm: number[];
+            /**
+             * @description Direction of a cylinder's axis or an edge, degrees from the rolling direction; 90 is across the wheel. An edge falls off to the left of it.
+             * @default 90
+             */
+            direction_deg: number;
         };
         /** @description Contact of tire and ground. */
         ContactDocument: {
@@ -5977,6 +6006,7 @@ export type PiezoDocument = components['schemas']['PiezoDocument'];
 export type AmplifierDocument = components['schemas']['AmplifierDocument'];
 export type PressureDocument = components['schemas']['PressureDocument'];
 export type GroundDocument = components['schemas']['GroundDocument'];
+export type GroundProfileDocument = components['schemas']['GroundProfileDocument'];
 export type ContactDocument = components['schemas']['ContactDocument'];
 export type ModelDocument = components['schemas']['ModelDocument'];
 export type InputDocument = components['schemas']['InputDocument'];
@@ -6073,6 +6103,9 @@ export const RANGES = {
   "ground/load_n": [0, 1000000000],
   "ground/shift_mm/*": [-10000, 10000],
   "ground/camber_deg": [-30, 30],
+  "ground/profile/radius_mm": [0.001, 10000],
+  "ground/profile/place_mm/*": [-10000, 10000],
+  "ground/profile/direction_deg": [-360, 360],
   "contact/friction": [0, 10],
   "contact/penalty_n_per_mm3": [0.000001, 1000000000],
 } as const;

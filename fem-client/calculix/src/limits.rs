@@ -40,6 +40,10 @@ pub fn faults(scene: &Scene) -> Vec<Fault> {
         let detail = "must be [0, 0] with CalculiX, whose ground here isn't dragged; or use the embedded solver";
         Fault::add(&mut faults, "/ground/shift_mm", detail);
     }
+    if scene.ground.profile.is_some() {
+        let detail = "isn't modelled with CalculiX, whose ground here is one of stations; leave it out, or use the embedded solver";
+        Fault::add(&mut faults, "/ground/profile", detail);
+    }
     faults
 }
 

@@ -24,7 +24,7 @@ impl RigidGround {
     /// highest point is at `parked` along its normal, mm.
     pub fn new(field: &HeightField, half_width: f64, parked: f64) -> Self {
         let lines = lines(field, half_width);
-        let heights: Vec<f64> = lines.iter().map(|&x| field.height(x)[0]).collect();
+        let heights: Vec<f64> = lines.iter().map(|&x| field.height(x, 0.0).value).collect();
         let highest = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let rise = highest - parked;
         let mut nodes = Vec::new();
@@ -72,6 +72,8 @@ fn lines(field: &HeightField, half_width: f64) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
+    use fem::load::ground_shape::Profile;
+
     use super::*;
     use fem::cell::element::Order;
     use fem::cell::mesh::Mesh;
@@ -86,6 +88,7 @@ mod tests {
             functions: StationFunctions::BSpline,
             depths: depths.to_vec(),
             shift: [0.0; 2],
+            profile: Profile::Plane,
         }
     }
 
@@ -137,7 +140,7 @@ mod tests {
         assert!(volumes(&ground).iter().all(|volume| *volume > 0.0));
         let tops = ground.nodes.iter().skip(1).step_by(2);
         for [x, _, z] in tops {
-            assert!((z + ground.rise - field.height(*x)[0]).abs() < 1e-12);
+            assert!((z + ground.rise - field.height(*x, 0.0).value).abs() < 1e-12);
         }
         let ends = [ground.nodes[0][0], ground.nodes[ground.nodes.len() - 1][0]];
         assert_eq!(ends, [-75.0, 75.0]);
@@ -152,7 +155,7 @@ mod tests {
         let h = 1.0 / FACETS_PER_STATION;
         for pair in tops.windows(2) {
             let middle = [0, 2].map(|i| 0.5 * (pair[0][i] + pair[1][i]));
-            let stray = middle[1] + ground.rise - field.height(middle[0])[0];
+            let stray = middle[1] + ground.rise - field.height(middle[0], 0.0).value;
             assert!(
                 stray.abs() <= h * h * 4.0 * 1.7 / 8.0,
                 "{stray} at {}",

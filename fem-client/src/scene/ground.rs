@@ -10,6 +10,7 @@ use document::{Choice, Table};
 
 use super::contact::Contact;
 use super::geometry::Geometry;
+use super::ground_profile::GroundProfile;
 use super::shared_ranges::LENGTH;
 
 /// Forces that press the ground.
@@ -51,6 +52,8 @@ pub struct Ground {
     /// angles.
     #[field(omitted, within = CAMBER)]
     pub camber_deg: f64,
+    /// Profile of the ground beside its stations, the same at every depth; a plane when left out.
+    pub profile: Option<GroundProfile>,
 }
 
 /// Shape functions of the height field; they sum to one everywhere.
@@ -91,17 +94,26 @@ impl Ground {
     pub fn is_symmetric(&self) -> bool {
         let depths = &self.depths_mm;
         let is_even = depths.iter().zip(depths.iter().rev()).all(|(a, b)| a == b);
-        is_even && self.shift_mm[0] == 0.0
+        let of_profile = self.profile.as_ref();
+        is_even && self.shift_mm[0] == 0.0 && of_profile.is_none_or(GroundProfile::is_symmetric)
     }
 
     /// Whether both sides of the wheel's middle plane are alike.
     pub fn is_alike_across(&self) -> bool {
-        self.shift_mm[1] == 0.0 && !self.leans()
+        let of_profile = self.profile.as_ref();
+        let is_alike = of_profile.is_none_or(GroundProfile::is_alike_across);
+        self.shift_mm[1] == 0.0 && !self.leans() && is_alike
     }
 
     /// Whether the wheel leans to it.
     pub fn leans(&self) -> bool {
         self.camber_deg != 0.0
+    }
+
+    /// Whether it may push the wheel to a side: the wheel leans, or the ground's height varies across.
+    pub fn may_push_across(&self) -> bool {
+        let of_profile = self.profile.as_ref();
+        self.leans() || of_profile.is_some_and(GroundProfile::varies_across)
     }
 
     /// Whether it is dragged.
@@ -130,6 +142,10 @@ impl Ground {
 fn check_one_given(fields: &Fields<'_>, faults: &mut Vec<Fault>) {
     if let (Some((_, at)), Some(_)) = (fields.get("load_n"), fields.get("depths_mm")) {
         let detail = "stands in place of depths_mm, which is given too: leave one of them out";
+        Fault::add(faults, &at, detail);
+    }
+    if let (Some((_, at)), Some(_)) = (fields.get("load_n"), fields.get("profile")) {
+        let detail = "presses flat ground: leave it or profile out; depths_mm go with a profile";
         Fault::add(faults, &at, detail);
     }
 }

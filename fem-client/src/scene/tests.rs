@@ -236,3 +236,46 @@ fn wrong_types_never_pass() {
         assert_eq!(faults[0].pointer, format!("/{name}"));
     }
 }
+
+fn on_ground(ground: &str) -> Result<Scene, String> {
+    Scene::from_toml(&format!("ground = {{ {ground} }}")).map_err(|faults| {
+        let told = faults
+            .iter()
+            .map(|fault| format!("{}: {}", fault.pointer, fault.detail));
+        told.collect::<Vec<_>>().join("; ")
+    })
+}
+
+#[test]
+fn a_profile_is_read_and_written_and_a_plane_leaves_no_trace() {
+    let scene = on_ground("profile = { kind = \"edge\", radius_mm = 4, place_mm = [1, 0] }");
+    let scene = scene.expect("reads");
+    let profile = scene.ground.profile.clone().expect("given");
+    assert_eq!(profile.kind, ProfileKind::Edge);
+    assert_eq!(
+        (profile.radius_mm, profile.place_mm, profile.direction_deg),
+        (4.0, [1.0, 0.0], 90.0)
+    );
+    let again = Scene::from_json(&scene.canonical_json()).expect("reads what it wrote");
+    assert_eq!(again, scene);
+    assert!(!Scene::default().canonical_json().contains("profile"));
+}
+
+#[test]
+fn what_cannot_be_is_named() {
+    for (ground, expected) in [
+        ("profile = { kind = \"cone\" }", "/ground/profile/kind: "),
+        ("profile = { radius_mm = 0 }", "/ground/profile/radius_mm: "),
+        (
+            "profile = { kind = \"sphere\", direction_deg = 30 }",
+            "/ground/profile/direction_deg: is that of",
+        ),
+        (
+            "load_n = 13, profile = { radius_mm = 5 }",
+            "/ground/load_n: presses flat ground",
+        ),
+    ] {
+        let found = on_ground(ground).expect_err(expected);
+        assert!(found.contains(expected), "{found}");
+    }
+}

@@ -11,7 +11,8 @@ use fem::problem::{Loads, State};
 use crate::mesh::tire_grid::{Extent, MeshPlan};
 use crate::mesh_error;
 use crate::model::{
-    TireModel, depth_of_load, extent, ground, ground_axes, inflated_key, mesh_plan, mesh_plan_for,
+    TireModel, depth_of_load, extent, ground_axes, inflated_key, mesh_plan, mesh_plan_for,
+    profiled_ground,
 };
 use crate::neighbourhood::{GroundPlace, Neighbourhood, Neighbourhoods, Pressed, of_start};
 use crate::omission;
@@ -282,17 +283,24 @@ fn expected_contact(scene: &Scene) -> Loads {
     let margin = CONTACT_MARGIN * scene.geometry.wall_mm + depth_of_load(scene);
     let distance = undeformed_distance(scene) - margin;
     Loads {
-        ground: Some(ground(&scene.ground, distance)),
+        ground: Some(profiled_ground(
+            &scene.ground,
+            distance,
+            centre_radius(scene),
+        )),
         ..Loads::default()
     }
 }
 
 /// Distance of the ground from the axle's middle at which it touches the undeformed tire, mm: it rests on the section's circle.
 fn undeformed_distance(scene: &Scene) -> f64 {
-    let geometry = &scene.geometry;
-    let centre_radius = geometry.outer_radius_mm - geometry.section_radius_mm;
     let [_, _, up] = ground_axes(&scene.ground).vectors();
-    geometry.outer_radius_mm - centre_radius * (1.0 - up[2])
+    scene.geometry.outer_radius_mm - centre_radius(scene) * (1.0 - up[2])
+}
+
+/// Distance of the section's middle from the axle, mm.
+fn centre_radius(scene: &Scene) -> f64 {
+    scene.geometry.outer_radius_mm - scene.geometry.section_radius_mm
 }
 
 fn session<'m>(

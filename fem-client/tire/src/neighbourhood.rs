@@ -213,15 +213,15 @@ pub(crate) fn of_start(scene: &Scene, start: &StartState) -> Ground {
 
 /// Hash of all that a neighbourhood is made of.
 fn key(scene: &Scene, plan: &MeshPlan, extent: Extent, start: &StartState) -> String {
-    // A model whose ground may lean is prepared for it, wherever it starts.
-    let leans = scene.ground.leans();
+    // A model whose ground may push across is prepared for it, wherever it starts.
+    let across = scene.ground.may_push_across();
     let scene = Scene {
         ground: of_start(scene, start),
         ..scene.clone()
     };
     let mut hash = Sha256::new();
     hash.update(format!(
-        "{scene:?} {leans} {plan:?} {extent:?} {}",
+        "{scene:?} {across} {plan:?} {extent:?} {}",
         start.inflated_key
     ));
     for value in start.inflated.iter().chain(&start.equilibrium) {

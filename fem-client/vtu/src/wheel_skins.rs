@@ -155,7 +155,7 @@ fn profile(ground: &HeightField) -> Vec<[f64; 2]> {
     let x = |k: usize| half * (2.0 * k as f64 / (points - 1) as f64 - 1.0);
     let at = |x: f64| match ground.depths.is_empty() {
         true => [x, ground.base],
-        false => [x, ground.height(x)[0]],
+        false => [x, ground.height(x, 0.0).value],
     };
     (0..points).map(|k| at(x(k))).collect()
 }

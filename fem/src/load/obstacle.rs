@@ -1,5 +1,7 @@
-//! The rigid ground: a height field z_g(x) that is constant across its own y axis, may lean about the x axis, and may be dragged as a whole.
+//! The rigid ground: a height field z_g(x) of stations, constant across its own y axis, and a profile on it; it may lean about the x axis, and may be dragged as a
+//! whole.
 
+use crate::load::ground_shape::{Height, Profile};
 use crate::tensor::Vector;
 
 /// Axes of ground below a body that is turned about the x axis: those of the body, turned back.
@@ -97,17 +99,39 @@ pub struct HeightField {
     pub depths: Vec<f64>,
     /// Ways by which the ground is dragged along its x and y axis, mm; stations and friction's anchors go with it.
     pub shift: [f64; 2],
+    /// Profile that it has beside its stations.
+    pub profile: Profile,
 }
 
 impl HeightField {
     /// Gap between a body's point and the ground, along the ground's z axis, mm: negative below the ground.
     pub fn gap(&self, position: Vector) -> f64 {
-        let [x, _, z] = self.axes.coordinates(position);
-        z - self.height(x)[0]
+        let [x, y, z] = self.axes.coordinates(position);
+        z - self.height(x, y).value
     }
 
-    /// Height (mm), slope and curvature (1/mm) at x (mm).
-    pub fn height(&self, x: f64) -> [f64; 3] {
+    /// Depth that the stations give at the contact's centre, mm.
+    pub fn depth(&self) -> f64 {
+        self.of_stations(0.0)[0] - self.base
+    }
+
+    /// Height with its derivatives at x and y, mm.
+    pub fn height(&self, x: f64, y: f64) -> Height {
+        let [value, slope, curvature] = self.of_stations(x);
+        let profile = self.profile.at([x - self.shift[0], y - self.shift[1]]);
+        Height {
+            value: value + profile.value,
+            slope: [slope + profile.slope[0], profile.slope[1]],
+            curvature: [
+                curvature + profile.curvature[0],
+                profile.curvature[1],
+                profile.curvature[2],
+            ],
+        }
+    }
+
+    /// Height (mm), slope and curvature (1/mm) that the stations give at x (mm).
+    fn of_stations(&self, x: f64) -> [f64; 3] {
         let centre = (self.depths.len() as f64 - 1.0) / 2.0;
         // Far outside all functions belong to an end station; clamping keeps the index small for any finite x.
         let limit = self.depths.len() as f64 + 4.0;
@@ -128,6 +152,7 @@ impl HeightField {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::load::ground_shape::Round;
 
     fn field(functions: StationFunctions, depths: &[f64]) -> HeightField {
         HeightField {
@@ -137,6 +162,7 @@ mod tests {
             functions,
             depths: depths.to_vec(),
             shift: [0.0; 2],
+            profile: Profile::Plane,
         }
     }
 
@@ -145,7 +171,7 @@ mod tests {
         for functions in [StationFunctions::BSpline, StationFunctions::Hat] {
             let ground = field(functions, &[1.25; 5]);
             for i in -400..=400 {
-                let [height, slope, curvature] = ground.height(f64::from(i) * 0.31);
+                let [height, slope, curvature] = ground.of_stations(f64::from(i) * 0.31);
                 // Four terms of size depth (1.25) times values up to 2, each rounded: below 1e-14, and 50 eps for the base.
                 assert!((height + 48.75).abs() < 2e-14, "height {height} at {i}");
                 assert!(
@@ -160,10 +186,10 @@ mod tests {
     fn hats_interpolate_and_ends_go_on() {
         let ground = field(StationFunctions::Hat, &[1.0, 2.0, 3.0, 4.0, 5.0]);
         for (k, depth) in [1.0, 2.0, 3.0, 4.0, 5.0].into_iter().enumerate() {
-            assert!((ground.height(5.5 * (k as f64 - 2.0))[0] - (depth - 50.0)).abs() < 1e-14);
+            assert!((ground.of_stations(5.5 * (k as f64 - 2.0))[0] - (depth - 50.0)).abs() < 1e-14);
         }
-        assert_eq!(ground.height(-1e9)[0], -49.0);
-        assert_eq!(ground.height(1e9)[0], -45.0);
+        assert_eq!(ground.of_stations(-1e9)[0], -49.0);
+        assert_eq!(ground.of_stations(1e9)[0], -45.0);
     }
 
     #[test]
@@ -176,8 +202,26 @@ mod tests {
         for i in -20..=20 {
             // Eighths, so that the shift is taken off without rounding.
             let x = f64::from(i) * 0.625;
-            assert_eq!(dragged.height(x + 0.5), resting.height(x));
+            assert_eq!(dragged.of_stations(x + 0.5), resting.of_stations(x));
         }
+    }
+
+    #[test]
+    fn a_profile_stands_on_the_stations_and_goes_with_the_ground() {
+        let round = Round {
+            centre: [1.0, 2.0],
+            radius: 4.0,
+        };
+        let ground = HeightField {
+            shift: [0.5, -0.25],
+            profile: Profile::Sphere(round),
+            ..field(StationFunctions::BSpline, &[0.3, 1.9, 0.7, 1.1, 0.2])
+        };
+        let top = ground.height(1.5, 1.75);
+        let [value, slope, curvature] = ground.of_stations(1.5);
+        assert_eq!((top.value, top.slope), (value, [slope, 0.0]));
+        assert_eq!(top.curvature, [curvature - 0.25, 0.0, -0.25]);
+        assert_eq!(ground.gap([1.5, 1.75, value + 0.5]), 0.5);
     }
 
     #[test]
@@ -217,8 +261,8 @@ mod tests {
         let h = 1e-4;
         for i in -20..=20 {
             let x = f64::from(i) * 0.83 + 0.1;
-            let [_, slope, curvature] = ground.height(x);
-            let (plus, minus) = (ground.height(x + h), ground.height(x - h));
+            let [_, slope, curvature] = ground.of_stations(x);
+            let (plus, minus) = (ground.of_stations(x + h), ground.of_stations(x - h));
             // Round-off 50 eps / h = 1e-10, truncation h^2 z''' = 1e-9.
             assert!(((plus[0] - minus[0]) / (2.0 * h) - slope).abs() < 1e-8);
             assert!(((plus[1] - minus[1]) / (2.0 * h) - curvature).abs() < 1e-4 * 0.5);

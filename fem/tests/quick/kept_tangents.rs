@@ -7,6 +7,7 @@ use crate::cube::{bottom, problem};
 use fem::cell::element::Order;
 use fem::load::contact::{ContactSurface, Penalty};
 use fem::load::friction::Friction;
+use fem::load::ground_shape::Profile;
 use fem::load::obstacle::{GroundAxes, HeightField, StationFunctions};
 use fem::newton::iteration::Newton;
 use fem::newton::path::{Stability, follow};
@@ -28,6 +29,7 @@ fn over(depths: [f64; 5]) -> Loads {
             functions: StationFunctions::BSpline,
             depths: depths.to_vec(),
             shift: [0.0; 2],
+            profile: Profile::Plane,
         }),
         ..Loads::default()
     }

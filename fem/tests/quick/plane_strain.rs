@@ -6,6 +6,7 @@ use fem::cell::block::Block;
 use fem::cell::element::Order;
 use fem::cell::mesh::Surface;
 use fem::load::contact::{ContactSurface, Penalty};
+use fem::load::ground_shape::Profile;
 use fem::load::obstacle::{GroundAxes, HeightField, StationFunctions};
 use fem::load::pressure::PressureSurface;
 use fem::material::MooneyRivlin;
@@ -139,6 +140,7 @@ fn loaded_block(order: Order) -> (Problem, Loads, f64) {
         functions: StationFunctions::BSpline,
         depths: vec![0.1, 0.15, 0.05],
         shift: [0.0; 2],
+        profile: Profile::Plane,
     };
     let loads = Loads {
         pressure: -0.02,

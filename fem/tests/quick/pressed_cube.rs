@@ -6,6 +6,7 @@ use crate::cube::{bottom, problem};
 use fem::cell::element::Order;
 use fem::load::contact::{ContactSurface, Penalty};
 use fem::load::friction::Friction;
+use fem::load::ground_shape::Profile;
 use fem::load::obstacle::{GroundAxes, HeightField, StationFunctions};
 use fem::newton::iteration::Newton;
 use fem::newton::path::{Stability, follow};
@@ -30,6 +31,7 @@ pub fn flat(depth: f64) -> HeightField {
         functions: StationFunctions::Hat,
         depths: vec![depth],
         shift: [0.0; 2],
+        profile: Profile::Plane,
     }
 }
 

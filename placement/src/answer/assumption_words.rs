@@ -42,19 +42,21 @@ pub(super) fn rests_on(result: &StudyResult) -> Option<RestsOn> {
     if !findings.unchanged.is_empty() {
         told += &format!(" Not changed: {}.", findings.unchanged.join(", "));
     }
-    let brief = |change: &&AssumptionChange| {
+    let first = moved.first().map(|change| {
         format!(
             "{}: {}",
-            change.words,
+            change.of,
             moved_figures(findings, change).join(", ")
         )
+    });
+    let brief = match (first, overturned(result)) {
+        (Some(first), Some(overturned)) => format!("{first}.{overturned}"),
+        (first, overturned) => first
+            .or(overturned)
+            .unwrap_or_default()
+            .trim_start()
+            .to_owned(),
     };
-    let mut brief = moved.iter().map(brief).collect::<Vec<_>>().join("; ");
-    if let Some(overturned) = overturned(result) {
-        brief = format!("{brief}.{overturned}")
-            .trim_start_matches(". ")
-            .to_owned();
-    }
     Some(RestsOn {
         sentence: told.trim_start().to_owned(),
         brief,
@@ -200,10 +202,7 @@ mod tests {
             "As assumed 10.7 degrees and 1.25 N; with other noise: 21.4 degrees; with other gain: 16.0 degrees; with other drift: 13.0 degrees. \
              Not changed: camber."
         );
-        assert_eq!(
-            told.brief,
-            "other noise: 21.4 degrees; other gain: 16.0 degrees; other drift: 13.0 degrees"
-        );
+        assert_eq!(told.brief, "noise: 21.4 degrees");
         let still = vec![change("noise", 10.8, 1.01), change("gain", 10.7, 1.0)];
         let told = rests_on(&result(still, &[])).expect("told");
         assert_eq!(

@@ -132,11 +132,7 @@ fn a_pressure_that_nobody_knows_makes_the_force_that_the_formula_says() {
         "{}",
         told.sentence
     );
-    assert!(
-        told.brief.contains("a pressure 10 % lower: 1.55 N"),
-        "{}",
-        told.brief
-    );
+    assert!(told.brief.contains("pressure: 1.55 N"), "{}", told.brief);
 }
 
 #[test]

@@ -22,7 +22,7 @@ pub(super) fn problem(scene: &Scene, grid: &TireGrid) -> Problem {
     let supports = supports(grid, mesh.nodes.len());
     let mut contact = ContactSurface::new(&mesh, grid.tread_surface(), penalty(scene));
     contact.friction = friction(scene);
-    contact.may_lean = scene.ground.leans();
+    contact.may_push_across = scene.ground.may_push_across();
     let pressure = PressureSurface::new(grid.inner_surface());
     Problem {
         mesh,

@@ -49,6 +49,14 @@ pub(super) fn modelled(scene: &Scene, grid: &TireGrid) -> Vec<Choice> {
         );
         list.push(choice("camber", why));
     }
+    if let Some(profile) = &scene.ground.profile {
+        let why = format!(
+            "{} of {} mm on the ground: the gap is along the ground's normal, as depths are",
+            profile.kind.as_str(),
+            profile.radius_mm
+        );
+        list.push(choice("profile", why));
+    }
     if scene.contact.friction > 0.0 {
         let why = format!(
             "Coulomb, coefficient {}, pressed from the inflated state in {FRICTION_STEPS} steps: the path matters",

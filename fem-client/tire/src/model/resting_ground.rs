@@ -4,8 +4,9 @@ use std::f64::consts::TAU;
 
 use fem::load::contact::Penalty;
 use fem::load::friction::Friction;
+use fem::load::ground_shape::{Profile, Round};
 use fem::load::obstacle::{self, GroundAxes, HeightField};
-use fem_client::scene::{Ground, Scene, StationFunctions};
+use fem_client::scene::{Ground, GroundProfile, ProfileKind, Scene, StationFunctions};
 
 /// Contact stiffness in units of shear modulus over wall thickness, when the scene doesn't give one. At the reference
 /// tire it is 120 N/mm^3: the reaction is then 0.2 % low and the meridional strain at the centre 0.4 %; three times as
@@ -44,6 +45,36 @@ pub fn ground(ground: &Ground, touching_distance: f64) -> HeightField {
             None => ground.depths_mm.clone(),
         },
         shift: ground.shift_mm,
+        profile: Profile::Plane,
+    }
+}
+
+/// The ground with its profile, which stands below the middle of the section, so far from the axle, mm: where the wheel leans, that is aside of it.
+pub(crate) fn profiled_ground(
+    scenes: &Ground,
+    touching_distance: f64,
+    centre_radius: f64,
+) -> HeightField {
+    let plane = ground(scenes, touching_distance);
+    let aside = centre_radius * plane.axes.angle.sin();
+    let own = scenes.profile.as_ref();
+    HeightField {
+        profile: own.map_or(Profile::Plane, |own| profile(own, aside)),
+        ..plane
+    }
+}
+
+/// The profile of a scene's ground, whose tire touches it so far aside, mm.
+fn profile(own: &GroundProfile, aside: f64) -> Profile {
+    let [x, y] = own.place_mm;
+    let round = Round {
+        centre: [x, y + aside],
+        radius: own.radius_mm,
+    };
+    match own.kind {
+        ProfileKind::Sphere => Profile::Sphere(round),
+        ProfileKind::Cylinder => Profile::Cylinder(round, own.left()),
+        ProfileKind::Edge => Profile::Edge(round, own.left()),
     }
 }
 

@@ -12,7 +12,7 @@ use super::boundary_values::problem;
 use super::choices::{left_out, modelled};
 use super::dimensions::shape;
 use super::glued_film::Place;
-use super::resting_ground::{self, ground_axes};
+use super::resting_ground::{ground_axes, profiled_ground};
 use crate::mesh::tire_grid::{Extent, MeshPlan, TireGrid};
 
 /// A tire scene, ready to be solved.
@@ -59,7 +59,7 @@ impl TireModel {
     /// The ground of a scene below a state without contact.
     pub fn ground_below(&self, ground: &Ground, state: &State) -> HeightField {
         let distance = self.touching_distance(state, &ground_axes(ground));
-        resting_ground::ground(ground, distance)
+        profiled_ground(ground, distance, self.grid.shape.centre_radius)
     }
 
     /// Distance of ground with these axes from the axle's middle at which it first touches a state without contact, mm.

@@ -1,6 +1,7 @@
 //! Strains of an equilibrium, read off the inner surface.
 
 use fem::load::contact::{ContactResultant, Wrench};
+use fem::load::obstacle::HeightField;
 use fem::problem::{Loads, State};
 use fem::surface::chart::Recovery;
 use fem::tensor::Vector;
@@ -150,7 +151,7 @@ impl<'m> Reader<'m> {
     /// Returns the depth of the ground at the contact centre, mm.
     fn depth(&self) -> f64 {
         let ground = self.loads.ground.as_ref();
-        ground.map_or(0.0, |ground| ground.height(0.0)[0] - ground.base)
+        ground.map_or(0.0, HeightField::depth)
     }
 
     fn locations(&self) -> Vec<LocationStrain> {

@@ -2,6 +2,7 @@
 
 mod dragged_ground;
 mod foot_tire;
+mod ground_profiles;
 mod leaning_wheel;
 mod pressed_by_force;
 mod solver_sources;

@@ -1,4 +1,4 @@
-//! A cylinder and a ball on a plane that leans, against Hertz: it presses as a level one does, and towards their middle.
+//! A cylinder and a ball on a plane that leans, and a ball on a sphere there, against Hertz: it presses as a level one does, and towards their middle.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::atomic::AtomicBool;
@@ -6,6 +6,7 @@ use std::sync::atomic::AtomicBool;
 use fem::cell::block::Block;
 use fem::cell::element::Order;
 use fem::cell::mesh::Surface;
+use fem::load::ground_shape::{Profile, Round};
 use fem::load::obstacle::GroundAxes;
 use fem::problem::Problem;
 
@@ -25,7 +26,8 @@ const OFFSET_SOURCE: &str = "Hertz: the force points to the middle, for a / R ->
 /// All cases.
 pub(crate) fn cases(stop: &AtomicBool) -> Result<Vec<Case>, Unsolved> {
     let mut cases = line(stop)?;
-    cases.extend(ball(stop)?);
+    cases.extend(ball(None, stop)?);
+    cases.extend(ball(Some(RADIUS), stop)?);
     Ok(cases)
 }
 
@@ -82,7 +84,7 @@ fn held(mut problem: Problem, nodes: &[u32], surface: Surface) -> Problem {
     }
     touch(&mut problem, surface);
     if let Some(contact) = &mut problem.contact {
-        contact.may_lean = true;
+        contact.may_push_across = true;
     }
     problem
 }
@@ -107,29 +109,42 @@ fn line(stop: &AtomicBool) -> Result<Vec<Case>, Unsolved> {
     Ok(cases)
 }
 
-/// The ball: force at a depth, half widths of the contact, and how far the force passes the middle.
-fn ball(stop: &AtomicBool) -> Result<Vec<Case>, Unsolved> {
+/// The ball on the plane, or on a rigid sphere of this radius there: force at a depth, half widths of the contact, and how far the force passes the middle.
+fn ball(sphere: Option<f64>, stop: &AtomicBool) -> Result<Vec<Case>, Unsolved> {
     let lean = LEAN_DEG.to_radians();
     let problem = half_ball(lean);
-    let mut pressing = Pressing::leaning(&problem, RADIUS, GroundAxes::below(lean))?;
+    let round = |radius| {
+        Profile::Sphere(Round {
+            centre: [0.0; 2],
+            radius,
+        })
+    };
+    let mut pressing = Pressing::leaning(&problem, RADIUS, GroundAxes::below(lean))?
+        .on(sphere.map_or(Profile::Plane, round));
+    // Two rounds touch as one of this radius does a plane.
+    let together = sphere.map_or(RADIUS, |other| RADIUS * other / (RADIUS + other));
+    let what = match sphere {
+        None => "leaning ball",
+        Some(_) => "leaning ball on a sphere",
+    };
     let mut cases = Vec::new();
     for depth in [0.05, 0.1, 0.2] {
         pressing.to(depth, stop)?;
         let force = 2.0 * pressing.resultant().load;
-        let radius = (RADIUS * depth).sqrt();
-        let hertz = 4.0 / 3.0 * MODULUS * RADIUS.sqrt() * depth.powf(1.5);
-        let name = format!("leaning ball, depth {depth} mm: force, N");
-        cases.push(Case::relative(name, force, hertz).within(radius / RADIUS, BALL_FORCE_SOURCE));
-        let hertz = (3.0 * force * RADIUS / (4.0 * MODULUS)).cbrt();
+        let radius = (together * depth).sqrt();
+        let hertz = 4.0 / 3.0 * MODULUS * together.sqrt() * depth.powf(1.5);
+        let name = format!("{what}, depth {depth} mm: force, N");
+        cases.push(Case::relative(name, force, hertz).within(radius / together, BALL_FORCE_SOURCE));
+        let hertz = (3.0 * force * together / (4.0 * MODULUS)).cbrt();
         for (axis, along) in [(0, "along"), (1, "across")] {
             // Second moment about one axis of the pressure p0 (1 - r^2/a^2)^(1/2): F a^2 / 5.
             let (half, moment) = pressing.moments(axis);
             let contact = (5.0 * moment / half).sqrt();
-            let name = format!("leaning ball, depth {depth} mm: radius {along}, mm");
+            let name = format!("{what}, depth {depth} mm: radius {along}, mm");
             let case = Case::relative(name, contact, hertz);
-            cases.push(case.within(radius / RADIUS, BALL_SOURCE));
+            cases.push(case.within(radius / together, BALL_SOURCE));
         }
-        let name = format!("leaning ball, depth {depth} mm: offset, mm");
+        let name = format!("{what}, depth {depth} mm: offset, mm");
         cases.push(offset(name, &pressing, radius));
     }
     Ok(cases)

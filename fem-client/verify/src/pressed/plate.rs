@@ -4,6 +4,7 @@ use std::sync::atomic::AtomicBool;
 
 use fem::cell::mesh::Surface;
 use fem::load::contact::{ContactResultant, ContactSurface, Penalty};
+use fem::load::ground_shape::Profile;
 use fem::load::obstacle::{GroundAxes, HeightField, StationFunctions};
 use fem::newton::iteration::Newton;
 use fem::problem::{Loads, Problem, State};
@@ -36,6 +37,7 @@ pub(super) struct Pressing<'p> {
     loads: Loads,
     axes: GroundAxes,
     lowest: f64,
+    profile: Profile,
 }
 
 impl<'p> Pressing<'p> {
@@ -53,7 +55,13 @@ impl<'p> Pressing<'p> {
             loads: Loads::default(),
             axes,
             lowest: -radius,
+            profile: Profile::Plane,
         })
+    }
+
+    /// Puts something on the plate.
+    pub fn on(self, profile: Profile) -> Self {
+        Self { profile, ..self }
     }
 
     /// Presses by a depth, mm.
@@ -65,6 +73,7 @@ impl<'p> Pressing<'p> {
             functions: StationFunctions::Hat,
             depths: vec![depth],
             shift: [0.0; 2],
+            profile: self.profile,
         };
         let loads = Loads {
             ground: Some(ground),

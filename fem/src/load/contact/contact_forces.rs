@@ -1,6 +1,6 @@
 //! Nodal forces and stiffness of the contact.
 
-use super::contact_surface::ContactSurface;
+use super::contact_surface::{ContactSurface, Touch};
 use crate::load::friction::Traction;
 use crate::load::obstacle::{GroundAxes, HeightField};
 use crate::tensor::Vector;
@@ -36,8 +36,8 @@ impl ContactSurface {
             if let Some(stiffness) = stiffness.as_deref_mut() {
                 let mut block =
                     gradient.map(|gi| gradient.map(|gj| area * touch.pressure_slope * gi * gj));
-                // Second derivative of the gap: -z_g'' on the x x component, times phi' = -pressure.
-                block[0][0] += area * touch.pressure * touch.curvature;
+                // Second derivatives of the gap are those of the ground's height but for the sign, times phi' = -pressure.
+                add_curvature(&mut block, area * touch.pressure, touch, &ground.axes);
                 if let Some(traction) = traction {
                     let by_pressure = (touch.pressure_slope, &gradient);
                     add_friction(&mut block, &traction, &ground.axes, area, by_pressure);
@@ -46,6 +46,19 @@ impl ContactSurface {
             }
         });
         touches
+    }
+}
+
+/// Adds a load (N) times the second derivatives of the ground's height to a point's stiffness.
+fn add_curvature(block: &mut [[f64; 3]; 3], load: f64, touch: &Touch, axes: &GroundAxes) {
+    let [along, across, _] = axes.vectors();
+    let [xx, xy, yy] = touch.height.curvature;
+    for i in 0..3 {
+        for j in 0..3 {
+            let mixed = along[i] * across[j] + across[i] * along[j];
+            let curvature = xx * along[i] * along[j] + xy * mixed + yy * across[i] * across[j];
+            block[i][j] += load * curvature;
+        }
     }
 }
 
@@ -94,6 +107,7 @@ mod tests {
     use crate::central_differences::{assert_upper_agrees, derivative};
     use crate::load::contact::{Penalty, Wrench};
     use crate::load::friction::Friction;
+    use crate::load::ground_shape::{Profile, Round};
     use crate::load::obstacle::StationFunctions;
 
     fn patch() -> (Vec<Vector>, ContactSurface) {
@@ -133,6 +147,7 @@ mod tests {
             functions: StationFunctions::BSpline,
             depths: vec![0.0],
             shift: [0.0; 2],
+            profile: Profile::Plane,
         };
         assert!(!contact.integrate(&ground, 0, &nodes, &[], &mut [0.0; 27], None));
     }
@@ -147,6 +162,7 @@ mod tests {
             functions: StationFunctions::BSpline,
             depths: vec![0.02; 3],
             shift: [0.0; 2],
+            profile: Profile::Plane,
         };
         let resultant = contact.resultant(&ground, |n| nodes[n as usize]);
         let expected = 100.0 * (0.02 - 0.0005) * 12.0;
@@ -176,6 +192,7 @@ mod tests {
             functions: StationFunctions::Hat,
             depths: vec![0.0, 0.0, height, 0.0, 0.0],
             shift: [0.0; 2],
+            profile: Profile::Plane,
         };
         for (ground, near) in [(peak(1.0), true), (peak(0.0), false)] {
             // the peak itself lies at 0.4 mm
@@ -215,12 +232,24 @@ mod tests {
 
     #[test]
     fn stiffness_is_the_derivative_of_the_forces() {
+        let round = Round {
+            centre: [1.0, 0.5],
+            radius: 6.0,
+        };
+        let profiles = [
+            Profile::Plane,
+            Profile::Sphere(round),
+            Profile::Cylinder(round, [0.6, 0.8]),
+            Profile::Edge(round, [-0.6, 0.8]),
+        ];
         for axes in [GroundAxes::LEVEL, GroundAxes::below(0.1)] {
-            assert_stiffness_without_friction(axes);
+            for profile in profiles {
+                assert_stiffness_without_friction(axes, profile);
+            }
         }
     }
 
-    fn assert_stiffness_without_friction(axes: GroundAxes) {
+    fn assert_stiffness_without_friction(axes: GroundAxes, profile: Profile) {
         let (_, contact) = patch();
         let ground = HeightField {
             axes,
@@ -229,6 +258,7 @@ mod tests {
             functions: StationFunctions::BSpline,
             depths: vec![0.3, 0.6, 0.4, 0.5, 0.7],
             shift: [0.0; 2],
+            profile,
         };
         // Forces of order 100 N: round-off eps 100 / h = 2e-9, truncation h^2 100.
         let (stiffness, differences) = stiffness_and_differences(&contact, &ground, &[], 1e-5);
@@ -255,6 +285,7 @@ mod tests {
             functions: StationFunctions::BSpline,
             depths: vec![0.3, 0.6, 0.4, 0.5, 0.7],
             shift: [0.0; 2],
+            profile: Profile::Plane,
         };
         let settled = contact.settled_anchors(Some(&resting), |n| nodes[n as usize], &[]);
         let anchors: Vec<[f64; 2]> = settled.iter().map(|[x, y]| [0.8 * x, *y]).collect();
@@ -305,6 +336,7 @@ mod tests {
             functions: StationFunctions::BSpline,
             depths: vec![0.3, 0.6, 0.4, 0.5, 0.7],
             shift: [0.0; 2],
+            profile: Profile::Plane,
         };
         // Slips from 0 to 0.75 mm under pressures of 40 to 60 MPa: some points stick, some slip.
         let anchors: Vec<[f64; 2]> = contact

@@ -6,6 +6,7 @@ use super::penalty::Penalty;
 use crate::cell::element::{FacePoint, face_points};
 use crate::cell::mesh::{Mesh, Surface};
 use crate::load::friction::{Friction, Traction};
+use crate::load::ground_shape::Height;
 use crate::load::obstacle::{GroundAxes, HeightField};
 use crate::tensor::{Vector, cross, norm};
 
@@ -18,8 +19,8 @@ pub struct ContactSurface {
     pub penalty: Penalty,
     /// Friction on the ground.
     pub friction: Friction,
-    /// Whether the ground may lean about the x axis.
-    pub may_lean: bool,
+    /// Whether the ground may push along the y axis: it leans about the x axis, or its height varies across.
+    pub may_push_across: bool,
     pub(super) rule: Vec<FacePoint>,
     /// Reference area of each point, mm^2: face, point.
     areas: Vec<f64>,
@@ -41,7 +42,7 @@ impl ContactSurface {
             surface,
             penalty,
             friction: Friction::NONE,
-            may_lean: false,
+            may_push_across: false,
             rule,
             areas,
         }
@@ -49,7 +50,7 @@ impl ContactSurface {
 
     /// Whether the ground's forces may have a part along y.
     pub(crate) fn acts_across(&self) -> bool {
-        self.may_lean || self.friction.coefficient > 0.0
+        self.may_push_across || self.friction.coefficient > 0.0
     }
 
     /// Faces with a node or a contact point on or below the ground, and their neighbours. A peak of the ground may touch a
@@ -106,16 +107,15 @@ impl ContactSurface {
     ) {
         for (index, point) in self.rule.iter().enumerate() {
             let [x, y, z] = ground.axes.coordinates(interpolate(point, current));
-            let [height, slope, curvature] = ground.height(x);
-            let penetration = height - z;
+            let height = ground.height(x, y);
+            let penetration = height.value - z;
             if penetration > 0.0 {
                 let (pressure, pressure_slope) = self.penalty.pressure(penetration);
                 let touch = Touch {
                     penetration,
                     pressure,
                     pressure_slope,
-                    slope,
-                    curvature,
+                    height,
                     position: [x, y],
                 };
                 visit(index, self.areas[face * self.rule.len() + index], &touch);
@@ -132,10 +132,8 @@ pub(super) struct Touch {
     pub(super) pressure: f64,
     /// Derivative of the pressure by the penetration, N/mm^3.
     pub(super) pressure_slope: f64,
-    /// Derivative z_g' of the ground's height.
-    pub(super) slope: f64,
-    /// Second derivative z_g'' of the ground's height, 1/mm.
-    pub(super) curvature: f64,
+    /// The ground's height there.
+    pub(super) height: Height,
     /// Position along the ground's x and y axis, mm.
     pub(super) position: [f64; 2],
 }
@@ -143,7 +141,8 @@ pub(super) struct Touch {
 impl Touch {
     /// Returns the gradient of the gap in the body's axes: along the ground's normal, and one along its z axis.
     pub(super) fn gradient(&self, axes: &GroundAxes) -> Vector {
-        axes.to_body([-self.slope, 0.0, 1.0])
+        let [x, y] = self.height.slope;
+        axes.to_body([-x, 0.0 - y, 1.0])
     }
 
     /// Way from the anchor along the ground's x and y axis, mm; the anchor is given on the ground, which is dragged by `shift`.

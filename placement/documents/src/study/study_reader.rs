@@ -182,6 +182,14 @@ fn read(value: &Value, resolve: Resolve<'_>, faults: &mut Vec<Fault>) -> Option<
             "is about an upright wheel: the scene's ground.camber_deg must be left out, or the rig";
         Fault::add(faults, "/rig", detail);
     }
+    let has_profile = |scene: &Scene| scene.ground.profile.is_some();
+    for table in ["rig", "signals"] {
+        if fields.get(table).is_some() && scene.as_ref().is_some_and(has_profile) {
+            let detail =
+                "presses plane ground: the scene's ground.profile must be left out, or this table";
+            Fault::add(faults, &format!("/{table}"), detail);
+        }
+    }
     let (mut scene, (accuracy, level)) = (scene?, accuracy?);
     scene.model.level = level;
     let (mut signals, rig) = (signals?, rig?);

@@ -22,7 +22,7 @@ pub struct AssumptionFindings {
 pub struct RestsOn {
     /// The figures as assumed, and with each of the three changes that move them most; whole sentences.
     pub sentence: String,
-    /// The three changes in few characters, as in `twice the noise: 21.4 degrees; a pressure 10 % lower: 2.31 N`, and what would answer then in this one's place; empty where none moves a figure by a tenth.
+    /// The one that moves them most in few characters, as in `pressure: 2.31 N`, and what would answer with a change in this one's place; empty where none moves a figure by a tenth.
     pub brief: String,
 }
 

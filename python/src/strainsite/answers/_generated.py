@@ -2161,8 +2161,8 @@ class RestsOn:
     sentence: str
     """The figures as assumed, and with each of the three changes that move them most; whole sentences."""
     brief: str
-    """The three changes in few characters, as in `twice the noise: 21.4 degrees; a pressure 10 % lower: 2.31 N`, and
-    what would answer then in this one's place; empty where none moves a figure by a tenth."""
+    """The one that moves them most in few characters, as in `pressure: 2.31 N`, and what would answer with a change
+    in this one's place; empty where none moves a figure by a tenth."""
 
 
 @dataclass(frozen=True, kw_only=True)

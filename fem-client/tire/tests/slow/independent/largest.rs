@@ -55,7 +55,7 @@ pub fn patch(model: &TireModel, pressed: &Pressed) -> [f64; 2] {
                     .map(|&node| pressed.state.position(mesh, node)[i]);
                 along.zip(&values).map(|(x, value)| x * value).sum::<f64>()
             });
-            if field.height(position[0])[0] - position[2] > CONTACT_HALF_WIDTH {
+            if field.height(position[0], 0.0).value - position[2] > CONTACT_HALF_WIDTH {
                 reach = [0, 1].map(|i| reach[i].max(position[i].abs()));
             }
         }

@@ -1,4 +1,4 @@
-//! Checks that a scene's contact is the usual one: upright, on ground that isn't dragged.
+//! Checks that a scene's contact is the usual one: upright, on plane ground that isn't dragged.
 
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
@@ -17,6 +17,11 @@ pub(super) fn check_usual(scene: &Scene, at: &str, is: &str, faults: &mut Vec<Fa
     if scene.ground.leans() {
         let detail =
             format!("{is} about an upright wheel: the scene's ground.camber_deg must be left out");
+        Fault::add(faults, at, detail);
+    }
+    if scene.ground.profile.is_some() {
+        let detail =
+            format!("{is} about plane ground: the scene's ground.profile must be left out");
         Fault::add(faults, at, detail);
     }
 }

@@ -18,7 +18,7 @@ test("a reason's lead ends before its figures", () => {
 
 test("places and layouts in a few words", () => {
   const place: PlaceAnswer = { names: ["P2", "P4"], direction: "y", index: 0.3, error: null, verdict: "unknown", reason: "", sentence: "" };
-  assert.equal(placeWords(place), "P2, P4 in y, 30.0 %, error unknown");
+  assert.equal(placeWords(place), "P2, P4 in y, 30.0 %");
   assert.equal(placeWords({ ...place, error: 0.02 }), "P2, P4 in y, 30.0 ± 2.0 %");
   assert.equal(placeWords({ ...place, index: 1, error: 1e-9 }), "P2, P4 in y, 100.0 %");
   const layout = { film_count: 12, tied_with: [] as number[] } as LayoutAnswer;

@@ -36,8 +36,7 @@ export function leftOutWords({ what, effect }: LeftOut): string {
 
 /** `P2, P4 in x, 72.9 ± 2.9 %`: the places with their index. */
 export function placeWords({ names, direction, index, error }: PlaceAnswer): string {
-  const unsure = error == null ? ", error unknown" : "";
-  return `${names.join(", ")} in ${direction}, ${percent(index, error)}${unsure}`;
+  return `${names.join(", ")} in ${direction}, ${percent(index, error)}`;
 }
 
 /** `72.9 ± 2.9 %`; the figure alone where its error is unknown, or below its last decimal. */
