@@ -4452,7 +4452,7 @@ export interface components {
              */
             place_mm: number[];
             /**
-             * @description Direction of a cylinder's axis or an edge, degrees from the rolling direction; 90 is across the wheel. An edge falls off to the left of it.
+             * @description Direction of a cylinder's axis or an edge, degrees from the rolling direction; 90 is across the wheel. An edge falls off to the left of it; a sphere has none.
              * @default 90
              */
             direction_deg: number;

@@ -3,8 +3,7 @@
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
-use document::fault::Fault;
-use document::fields::{Fields, Range};
+use document::fields::Range;
 use document::typed::lists::Each;
 use document::{Choice, Table};
 
@@ -19,7 +18,6 @@ const ACROSS: f64 = 90.0;
 
 /// Profile of the ground: its highest points are as high as the stations' ground.
 #[derive(Debug, Clone, PartialEq, Table)]
-#[table(rule = check_direction(kind))]
 pub struct GroundProfile {
     /// Kind of the profile.
     #[field(default = ProfileKind::Sphere)]
@@ -28,9 +26,9 @@ pub struct GroundProfile {
     #[field(default = USUAL_RADIUS, within = LENGTH)]
     pub radius_mm: f64,
     /// Place of its highest point, along the wheel (x, rolling direction) and across it (y, along the axle) from where the tire touches flat ground, mm.
-    #[field(omitted, within = Each::of("a list of 2 places in mm, along the wheel and across it", PLACE))]
+    #[field(default = [0.0; 2], within = Each::of("a list of 2 places in mm, along the wheel and across it", PLACE))]
     pub place_mm: [f64; 2],
-    /// Direction of a cylinder's axis or an edge, degrees from the rolling direction; 90 is across the wheel. An edge falls off to the left of it.
+    /// Direction of a cylinder's axis or an edge, degrees from the rolling direction; 90 is across the wheel. An edge falls off to the left of it; a sphere has none.
     #[field(default = ACROSS, within = ANGLE)]
     pub direction_deg: f64,
 }
@@ -85,16 +83,6 @@ impl GroundProfile {
             ProfileKind::Cylinder => left == 0.0 || (other == 0.0 && place == 0.0),
             ProfileKind::Edge => left == 0.0,
         }
-    }
-}
-
-fn check_direction(kind: &ProfileKind, fields: &Fields<'_>, faults: &mut Vec<Fault>) {
-    if let (ProfileKind::Sphere, Some((_, at))) = (kind, fields.get("direction_deg")) {
-        Fault::add(
-            faults,
-            &at,
-            "is that of a cylinder or an edge: a sphere has none",
-        );
     }
 }
 
