@@ -12,7 +12,7 @@ use crate::mesh::tire_grid::{Extent, MeshPlan};
 use crate::mesh_error;
 use crate::model::{
     TireModel, depth_of_load, extent, ground_axes, inflated_key, mesh_plan, mesh_plan_for,
-    profiled_ground,
+    profiled_ground, shape,
 };
 use crate::neighbourhood::{GroundPlace, Neighbourhood, Neighbourhoods, Pressed, of_start};
 use crate::omission;
@@ -286,7 +286,7 @@ fn expected_contact(scene: &Scene) -> Loads {
         ground: Some(profiled_ground(
             &scene.ground,
             distance,
-            centre_radius(scene),
+            shape(scene).centre_radius,
         )),
         ..Loads::default()
     }
@@ -295,12 +295,7 @@ fn expected_contact(scene: &Scene) -> Loads {
 /// Distance of the ground from the axle's middle at which it touches the undeformed tire, mm: it rests on the section's circle.
 fn undeformed_distance(scene: &Scene) -> f64 {
     let [_, _, up] = ground_axes(&scene.ground).vectors();
-    scene.geometry.outer_radius_mm - centre_radius(scene) * (1.0 - up[2])
-}
-
-/// Distance of the section's middle from the axle, mm.
-fn centre_radius(scene: &Scene) -> f64 {
-    scene.geometry.outer_radius_mm - scene.geometry.section_radius_mm
+    scene.geometry.outer_radius_mm - shape(scene).centre_radius * (1.0 - up[2])
 }
 
 fn session<'m>(

@@ -11,6 +11,7 @@ use layouts::search::best_layouts::joined;
 use layouts::search::layout_search::SearchPlaces;
 use layouts::search::search_criterion::{SearchCriterion, SearchFields};
 use layouts::search::search_films::SearchFilms;
+use layouts::simulate::draws::Draws;
 use layouts::simulate::simulation::SAMPLES;
 
 const WIDTH_DEG: f64 = 7.6;
@@ -81,7 +82,7 @@ fn main() {
         NOISE,
         vec![0.5, 1.0, 2.0],
         layouts.iter(),
-        (1, SAMPLES),
+        Draws::new(1, SAMPLES, 24),
         false,
     );
     let begun = Instant::now();

@@ -15,6 +15,7 @@ use layouts::arrangement::{Arrangement, FilmKind};
 use layouts::field::film_field::Noise;
 use layouts::ranking::layout_order::with_scores;
 use layouts::ranking::layout_scores::Scorer;
+use layouts::simulate::draws::Draws;
 use layouts::simulate::simulation::SAMPLES;
 use placement::layout::solving::layout_fields::{MeshFields, mesh_fields};
 use placement::layout::solving::layout_scenes::{LayoutScenes, readout};
@@ -84,16 +85,10 @@ fn of_tire(tire: &Scene, loads: &[f64]) -> Vec<[Judged; 2]> {
             gain_std: 0.0,
             place_std_deg: 0.0,
         };
-        let readings = (1, SAMPLES);
+        let films = layouts.iter().map(|layout| layout.films.len());
+        let draws = Draws::new(1, SAMPLES, films.max().unwrap_or(0));
         let depths = depths.clone();
-        let scorer = Scorer::new(
-            &fields.fields,
-            noise,
-            depths,
-            layouts.iter(),
-            readings,
-            false,
-        );
+        let scorer = Scorer::new(&fields.fields, noise, depths, layouts.iter(), draws, false);
         layouts
             .iter()
             .map(|layout| scorer.figures(layout))

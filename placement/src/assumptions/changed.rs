@@ -29,39 +29,29 @@ impl Changed {
     pub fn of_readings(settings: &Layouts) -> Vec<Self> {
         let (changed, own) = (&settings.assumptions, &settings.noise);
         let more = |changed: f64, own: f64| if changed > own { changed } else { 2.0 * own };
+        let gain = more(changed.gain_std, own.gain_std);
+        let place = more(changed.place_std_deg, own.place_std_deg);
         let all = [
-            Self::Noise(changed.noise_factor),
-            Self::Drift(changed.drift_share),
-            Self::Gain(more(changed.gain_std, own.gain_std)),
-            Self::Place(more(changed.place_std_deg, own.place_std_deg)),
+            (changed.noise_factor != 1.0).then_some(Self::Noise(changed.noise_factor)),
+            (changed.drift_share > 0.0).then_some(Self::Drift(changed.drift_share)),
+            (gain > 0.0).then_some(Self::Gain(gain)),
+            (place > 0.0).then_some(Self::Place(place)),
         ];
-        let is_none = |own: &Self| match own {
-            Self::Noise(factor) => *factor == 1.0,
-            Self::Drift(value) | Self::Gain(value) | Self::Place(value) => *value == 0.0,
-            _ => true,
-        };
-        all.into_iter().filter(|own| !is_none(own)).collect()
+        all.into_iter().flatten().collect()
     }
 
     /// Changes of a scene that a study asks for, that change something.
     pub fn of_scene(settings: &Layouts, scene: &Scene) -> Vec<Self> {
         let changed = &settings.assumptions;
-        let friction = scene.contact.friction;
+        let (camber, friction) = (scene.ground.camber_deg, scene.contact.friction);
+        let pressure = changed.pressure_factor.filter(|factor| *factor != 1.0);
+        let other = |changed: Option<f64>, own: f64| changed.filter(|value| *value != own);
         let all = [
-            changed.pressure_factor.map(Self::Pressure),
-            changed.camber_deg.map(Self::Camber),
-            changed
-                .friction
-                .map(|value| Self::Friction(value, friction)),
+            pressure.map(Self::Pressure),
+            other(changed.camber_deg, camber).map(Self::Camber),
+            other(changed.friction, friction).map(|value| Self::Friction(value, friction)),
         ];
-        let is_none = |own: &Self| match own {
-            Self::Pressure(factor) => *factor == 1.0,
-            Self::Camber(camber) => *camber == scene.ground.camber_deg,
-            Self::Friction(value, own) => value == own,
-            _ => true,
-        };
-        let all = all.into_iter().flatten();
-        all.filter(|own| !is_none(own)).collect()
+        all.into_iter().flatten().collect()
     }
 
     /// Name of the assumption.
@@ -79,9 +69,8 @@ impl Changed {
 
     /// Change in words, as they follow `with`.
     pub fn words(&self) -> String {
-        let percent = |share: f64| format!("{:.3}", 100.0 * share);
         let percent = |share: f64| {
-            let text = percent(share);
+            let text = format!("{:.3}", 100.0 * share);
             format!("{} %", text.trim_end_matches('0').trim_end_matches('.'))
         };
         match self {

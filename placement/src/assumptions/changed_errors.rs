@@ -21,65 +21,43 @@ pub(super) struct Compared<'a> {
     pub noise: Noise,
     pub draws: &'a Draws,
     pub layouts: Vec<(usize, &'a Arrangement)>,
+    /// Figures of the first as assumed.
+    pub assumed: Figures,
     pub question: Question,
 }
 
 impl Compared<'_> {
     fn errors(&self, noise: Noise, contacts: Option<&[TrueContact]>) -> Vec<LargestErrors> {
         let arrangements = || self.layouts.iter().map(|(_, arrangement)| *arrangement);
-        let depths = self.fields.depths();
-        let scorer = Scorer::new(
-            &self.fields.fields,
-            noise,
-            depths,
-            arrangements(),
-            (0, 1),
-            false,
-        );
-        let scorer = scorer.with_draws(self.draws.clone());
+        let fields = &self.fields.fields;
+        let (depths, draws) = (self.fields.depths(), self.draws.clone());
+        let scorer = Scorer::new(fields, noise, depths, arrangements(), draws, false);
         arrangements()
             .map(|arrangement| scorer.largest_errors(arrangement, contacts))
             .collect()
     }
 
-    /// Errors of each layout as assumed.
-    pub fn assumed(&self) -> Vec<LargestErrors> {
-        self.errors(self.noise, None)
-    }
-
     /// Errors with a change, or with contacts that are taken for others, beside those as assumed.
-    pub fn changed(
-        &self,
-        change: &Changed,
-        contacts: Option<&[TrueContact]>,
-        assumed: &LargestErrors,
-    ) -> AssumptionChange {
+    pub fn changed(&self, change: &Changed, contacts: Option<&[TrueContact]>) -> AssumptionChange {
         let errors = self.errors(change.noise(self.noise, self.fields.crown), contacts);
         let own = errors[0];
-        let times = |changed: f64, assumed: f64| {
-            let ratio = changed / assumed;
-            ratio.max(1.0 / ratio)
-        };
         let both = [
-            times(own.angle_deg, assumed.angle_deg),
-            times(own.force_n, assumed.force_n),
+            times(self.assumed.angle, own.angle_deg),
+            times(self.assumed.force, own.force_n),
         ];
         let others = self.layouts.iter().zip(&errors).skip(1);
         let better = others.filter(|(_, errors)| self.is_better(errors, &own));
         let best = better.min_by(|(_, a), (_, b)| self.value(a).total_cmp(&self.value(b)));
-        let keeps = |errors: &LargestErrors| self.value(errors) <= 1.0;
-        let was_kept = self.question.has_limits() && keeps(assumed);
+        let assumed = self.assumed.compared(&self.question);
+        let was_kept = self.question.has_limits() && assumed.is_some_and(|own| own.value <= 1.0);
         AssumptionChange {
             of: change.name().to_owned(),
             words: change.words(),
             angle_error_deg: own.angle_deg,
             force_error_n: own.force_n,
-            times: both
-                .into_iter()
-                .filter(|times| times.is_finite())
-                .fold(1.0, f64::max),
+            times: both.into_iter().flatten().fold(1.0, f64::max),
             better_rank: best.map(|((rank, _), _)| *rank),
-            meets: was_kept.then(|| keeps(&own)),
+            meets: was_kept.then(|| self.value(&own) <= 1.0),
         }
     }
 
@@ -110,4 +88,11 @@ impl Compared<'_> {
         let open = other.claim.unwrap_or(0.0).hypot(own.claim.unwrap_or(0.0));
         other.value + open < own.value
     }
+}
+
+/// Times by which a changed figure is larger than it was, or smaller; none of one that is 0.
+fn times(assumed: Option<Figure>, changed: f64) -> Option<f64> {
+    let ratio = changed / assumed?.value;
+    let times = ratio.max(1.0 / ratio);
+    times.is_finite().then_some(times)
 }

@@ -3,7 +3,7 @@
 use super::changed::Changed;
 use super::changed_errors::Compared;
 use super::changed_scenes::{contacts, series};
-use crate::answer::contenders;
+use crate::answer::{Figures, contenders};
 use crate::layout::solving::judged_layouts::noise;
 use crate::layout::solving::measuring_layouts::ScoredLayouts;
 use crate::points::worker_threads::in_parallel;
@@ -33,18 +33,21 @@ pub(crate) fn measure(
         let own = scored.find(|layout| layout.label.is_same(ranked))?;
         Some((ranked.rank, &own.arrangement))
     };
+    let contenders = contenders(study, result, OTHERS);
+    let Some((&answers, assumed)) = contenders.first().map(|own| (own, Figures::of(own))) else {
+        return Ok(());
+    };
+    let (Some(angle), Some(force)) = (assumed.angle, assumed.force) else {
+        return Ok(());
+    };
+    let rank = answers.rank;
     let compared = Compared {
         fields: &scored.fields,
         noise: noise(&study.layouts, &scored.fields),
         draws: &scored.draws,
-        layouts: contenders(study, result, OTHERS)
-            .into_iter()
-            .filter_map(arrangement_of)
-            .collect(),
+        layouts: contenders.into_iter().filter_map(arrangement_of).collect(),
+        assumed,
         question: study.question,
-    };
-    let Some(&(rank, _)) = compared.layouts.first() else {
-        return Ok(());
     };
     let of_scene = Changed::of_scene(&study.layouts, &plan.points[0]);
     let all = series((&scored.scenes, scored.level), &of_scene, &scored.kinds);
@@ -68,10 +71,9 @@ pub(crate) fn measure(
             Err(reason) => unchanged.push(format!("{}: {reason}", change.name())),
         }
     }
-    let assumed = compared.assumed();
     let found = in_parallel(changes.len(), context.threads, context.stop, |k| {
         let (change, contacts) = &changes[k];
-        compared.changed(change, contacts.as_deref(), &assumed[0])
+        compared.changed(change, contacts.as_deref())
     });
     let mut found: Vec<AssumptionChange> = found.ok_or(RunError::Stopped)?;
     found.sort_by(|a, b| b.times.total_cmp(&a.times));
@@ -79,8 +81,8 @@ pub(crate) fn measure(
     if let Some(findings) = &mut result.layout_findings {
         findings.assumptions = Some(AssumptionFindings {
             rank,
-            angle_error_deg: assumed[0].angle_deg,
-            force_error_n: assumed[0].force_n,
+            angle_error_deg: angle.value,
+            force_error_n: force.value,
             changes: found,
             unchanged,
         });

@@ -6,12 +6,13 @@ use crate::arrangement::{Arrangement, LaidFilm};
 use crate::field::film_field::{DepthFields, LoadField, Noise};
 use crate::field::response_surface::Drawn;
 use crate::fisher::bounds::{bayes_angle_deg, bounds, weakest_signal};
+use crate::ranking::shear_score::shear;
 use crate::simulate::alike::alike;
 use crate::simulate::drawn_contacts::TrueContact;
 use crate::simulate::draws::Draws;
 use crate::simulate::reading_likelihood::Likelihood;
 use crate::simulate::simulation::{Simulated, simulate, simulate_unknown};
-use results::{ContactError, DeadFilm, LayoutScore, ShearScore};
+use results::{ContactError, DeadFilm, LayoutScore};
 
 /// Largest simulated errors of a layout over the loads, with their standard errors by the number of samples.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -37,18 +38,17 @@ pub struct Scorer {
 }
 
 impl Scorer {
-    /// Prepares for these layouts at these depths, with so many simulated readings. `dead`: also without the film whose loss costs most.
+    /// Prepares for these layouts at these depths, with this noise of simulated readings. `dead`: also without the film whose loss costs most.
     pub fn new<'a>(
         fields: &DepthFields,
         noise: Noise,
         depths_mm: Vec<f64>,
         layouts: impl Iterator<Item = &'a Arrangement>,
-        (seed, samples): (u64, usize),
+        draws: Draws,
         dead: bool,
     ) -> Self {
-        let (mut likelihoods, mut films) = (BTreeMap::new(), 0);
+        let mut likelihoods = BTreeMap::new();
         for layout in layouts {
-            films = films.max(layout.films.len());
             let of_kinds = |kinds: &Vec<usize>| Likelihood::new(fields.of_kinds(kinds), noise);
             let kinds = kinds_of(layout);
             likelihoods.entry(kinds).or_insert_with_key(of_kinds);
@@ -57,20 +57,9 @@ impl Scorer {
             noise,
             likelihoods,
             depths_mm,
-            draws: Draws::new(seed, samples, films),
+            draws,
             dead,
         }
-    }
-
-    /// Returns the scorer with other noise in its simulated readings.
-    #[must_use]
-    pub fn with_draws(self, draws: Draws) -> Self {
-        Self { draws, ..self }
-    }
-
-    /// Noise of its simulated readings.
-    pub fn draws(&self) -> &Draws {
-        &self.draws
     }
 
     /// The noise of each film.
@@ -304,59 +293,6 @@ fn bounded(field: &LoadField, noise: &Noise, arrangement: &Arrangement) -> Layou
     }
 }
 
-/// Bounds with the ground's shifts unknown, too, where it was dragged.
-fn shear(
-    fields: &DepthFields,
-    noise: &Noise,
-    depth_mm: f64,
-    arrangement: &Arrangement,
-) -> Option<ShearScore> {
-    let (field, shear) = fields.with_shear(depth_mm)?;
-    let bounds = match bounds(&field, arrangement, noise) {
-        Ok(bounds) => bounds,
-        Err(reason) => {
-            return Some(ShearScore {
-                reason: Some(reason),
-                ..ShearScore::default()
-            });
-        }
-    };
-    let of_shift = |axis: usize| {
-        let shift = bounds.worst_shift_mm[axis]?;
-        Some(shift * shear.force_slopes[axis].abs())
-    };
-    let of_depth = bounds.worst_depth_mm * field.force_slope.abs();
-    let forces = [of_shift(0), of_shift(1), Some(of_depth)];
-    Some(ShearScore {
-        worst_angle_error_deg: Some(bounds.worst_angle_deg),
-        worst_force_error_n: Some(forces),
-        error: None,
-        reason: untold(&forces, shear.sliding_n),
-    })
-}
-
-/// Says which force isn't felt, or known no better than that the ground doesn't slide.
-fn untold(forces_n: &[Option<f64>; 3], sliding_n: f64) -> Option<String> {
-    let which = |is: &dyn Fn(&Option<f64>) -> bool| -> String {
-        let forces = ["along", "across"].into_iter().zip(forces_n);
-        let names: Vec<&str> = forces
-            .filter(|(_, force)| is(force))
-            .map(|(name, _)| name)
-            .collect();
-        names.join(" and ")
-    };
-    let unfelt = which(&|force| force.is_none());
-    let unknown = which(&|force| force.is_some_and(|error| error >= sliding_n));
-    let reasons = [
-        (!unfelt.is_empty()).then(|| format!("no film feels the force {unfelt}")),
-        (!unknown.is_empty()).then(|| {
-            format!("the force {unknown} isn't known within the {sliding_n:.1} N at which the ground slides")
-        }),
-    ];
-    let reasons: Vec<String> = reasons.into_iter().flatten().collect();
-    (!reasons.is_empty()).then(|| reasons.join("; "))
-}
-
 /// Kinds of film of a layout, each once, in order.
 fn kinds_of(arrangement: &Arrangement) -> Vec<usize> {
     let mut kinds: Vec<usize> = arrangement.films.iter().map(|film| film.kind).collect();
@@ -396,7 +332,7 @@ mod tests {
             NOISE,
             vec![1.0, 0.6],
             layouts.iter(),
-            (1, SAMPLES),
+            Draws::new(1, SAMPLES, 18),
             true,
         );
         let [alone, both] = [&layouts[0], &layouts[1]].map(|layout| scorer.scores(layout));
@@ -429,7 +365,7 @@ mod tests {
             NOISE,
             vec![1.0],
             std::iter::once(&one),
-            (1, SAMPLES),
+            Draws::new(1, SAMPLES, 1),
             true,
         );
         let score = &scorer.scores(&one)[0];
@@ -463,7 +399,15 @@ mod tests {
         let layout = Arrangement::regular(18, &[0, 1], false);
         let score = |fields: &DepthFields, depth: f64| {
             let layouts = std::iter::once(&layout);
-            Scorer::new(fields, NOISE, vec![depth], layouts, (1, SAMPLES), false).scores(&layout)[0]
+            Scorer::new(
+                fields,
+                NOISE,
+                vec![depth],
+                layouts,
+                Draws::new(1, SAMPLES, 36),
+                false,
+            )
+            .scores(&layout)[0]
                 .clone()
         };
         let told = score(&sheared(1.0), 1.0);

@@ -1,4 +1,4 @@
-//! Ranking of the layouts that a document asks for: [`asked_layouts`], [`layout_scores`] on one mesh, [`layout_order`], and how far two orders agree:
+//! Ranking of the layouts that a document asks for: [`asked_layouts`], [`layout_scores`] on one mesh with `shear_score`, [`layout_order`], and how far two orders agree:
 //! [`kendall`]; [`screening`] leaves those of a menu that can't be the best.
 
 pub mod asked_layouts;
@@ -6,3 +6,4 @@ pub mod kendall;
 pub mod layout_order;
 pub mod layout_scores;
 pub mod screening;
+mod shear_score;

@@ -117,7 +117,7 @@ mod tests {
             NOISE,
             depths,
             arrangements(),
-            (1, SAMPLES),
+            Draws::new(1, SAMPLES, 48),
             false,
         );
         let draws = Draws::new(1, SAMPLES / 5, 48);

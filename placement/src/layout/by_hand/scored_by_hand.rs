@@ -237,20 +237,15 @@ impl HandLayouts {
         asked: &[AskedLayout],
         simulated: bool,
     ) -> OnMesh<'f> {
-        let (noise, depths) = (noise(&self.settings, fields), self.depths());
+        let (noise, depths) = (noise(&self.settings, fields), self.fine.depths());
         if !simulated {
             return OnMesh::Bounds(&fields.fields, noise, depths);
         }
         let layouts = asked.iter().map(|layout| &layout.arrangement);
-        let readings = (self.seed, samples(self.level));
-        let scorer = Scorer::new(&fields.fields, noise, depths, layouts, readings, false);
         // Whatever else is asked at once, a layout's noise is the same.
-        let draws = Draws::new(readings.0, readings.1, MOST_FILMS);
-        OnMesh::Simulated(Box::new(scorer.with_draws(draws)))
-    }
-
-    fn depths(&self) -> Vec<f64> {
-        self.fine.loads.iter().flatten().copied().collect()
+        let draws = Draws::new(self.seed, samples(self.level), MOST_FILMS);
+        let scorer = Scorer::new(&fields.fields, noise, depths, layouts, draws, false);
+        OnMesh::Simulated(Box::new(scorer))
     }
 
     /// All kinds of film, and what they read on the mesh of the study's layouts.
@@ -263,7 +258,7 @@ impl HandLayouts {
         let kinds: Vec<usize> = offered(&self.kinds).collect();
         let fields = self.fine.fields.of_kinds(&kinds);
         let reached = self.loads.iter().filter(|load| load.reason.is_none());
-        let loads = reached.zip(self.depths()).map(|(load, depth_mm)| {
+        let loads = reached.zip(self.fine.depths()).map(|(load, depth_mm)| {
             let LoadField {
                 force_slope, kinds, ..
             } = fields.at(depth_mm);

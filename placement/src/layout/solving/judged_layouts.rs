@@ -69,7 +69,7 @@ impl Answer<'_> {
     ) -> Result<Judged, RunError> {
         let settings = &study.layouts;
         let noise = noise(settings, &self.fine);
-        let depths = self.depths();
+        let depths = self.fine.depths();
         let searches = search(
             settings,
             &mut asked,
@@ -79,12 +79,13 @@ impl Answer<'_> {
             context,
         )
         .ok_or(RunError::Stopped)?;
-        let fine = self.scorer(&self.fine, &asked, study);
+        let draws = Draws::new(study.method.seed, samples(self.level), asked.most_films());
+        let fine = self.scorer(&self.fine, &asked, study, &draws);
         let menu = self.screen(&mut asked, &fine, study, context)?;
         let coarse = self
             .coarse
             .as_ref()
-            .map(|(fields, coarser)| (self.scorer(fields, &asked, study), *coarser));
+            .map(|(fields, coarser)| (self.scorer(fields, &asked, study, &draws), *coarser));
         let load_rows = self.loads(settings, study, &asked.kinds, &noise);
         let own_load = self.fine.fields.at(depth_mm);
         let shifts = InputShifts::of(study, slopes, asked.kinds.all(), own_load);
@@ -151,24 +152,20 @@ impl Answer<'_> {
             ranked: layouts,
             findings,
             scored: asked.layouts,
-            draws: fine.draws().clone(),
+            draws,
         })
     }
 
-    /// Depths of the loads that were reached on both meshes, mm.
-    fn depths(&self) -> Vec<f64> {
-        self.fine.depths()
-    }
-
-    fn scorer(&self, fields: &MeshFields, asked: &Asked, study: &Study) -> Scorer {
+    /// Scorer on one mesh, with this noise of simulated readings.
+    fn scorer(&self, fields: &MeshFields, asked: &Asked, study: &Study, draws: &Draws) -> Scorer {
         let arrangements = asked.layouts.iter().map(|layout| &layout.arrangement);
         // At the fine mesh's depths: a load's depth differs a little between meshes, and its scores are compared.
         Scorer::new(
             &fields.fields,
             noise(&study.layouts, fields),
-            self.depths(),
+            self.fine.depths(),
             arrangements,
-            (study.method.seed, samples(self.level)),
+            draws.clone(),
             study.layouts.dead,
         )
     }
@@ -182,12 +179,8 @@ impl Answer<'_> {
         context: RunContext<'_>,
     ) -> Result<MenuFindings, RunError> {
         let groups = competitors(&asked.layouts);
-        let films = asked
-            .layouts
-            .iter()
-            .map(|layout| layout.arrangement.films.len());
         let samples = samples(self.level) / FULL_TO_SHORT;
-        let draws = Draws::new(study.method.seed, samples, films.max().unwrap_or(0));
+        let draws = Draws::new(study.method.seed, samples, asked.most_films());
         let limits = Limits {
             angle_deg: study.question.angle_deg,
             force_n: study.question.force_n,
@@ -263,7 +256,7 @@ impl Answer<'_> {
 
     /// Strains and slopes at the load in the middle, of every kind of film that layouts have.
     fn rings(&self, asked: &Asked) -> Vec<StrainRing> {
-        let depths = self.depths();
+        let depths = self.fine.depths();
         let Some(&depth_mm) = depths.get(depths.len() / 2) else {
             return Vec::new();
         };

@@ -75,16 +75,13 @@ pub(crate) fn layout_series(study: &Study, plan: &Plan, solver: &dyn Solver) -> 
 
 /// Films of the largest layout.
 pub(crate) fn largest_layout(study: &Study) -> usize {
-    let asked = Asked::of(study)
-        .layouts
-        .into_iter()
-        .map(|layout| layout.arrangement.films.len());
+    let asked = Asked::of(study).most_films();
     let searched = study
         .layouts
         .search
         .iter()
         .flat_map(|search| search.films.iter().copied());
-    asked.chain(searched).max().unwrap_or(0)
+    searched.fold(asked, usize::max)
 }
 
 /// Layouts that a study's search is expected to look at by each criterion, and the places that films may have.

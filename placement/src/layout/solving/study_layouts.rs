@@ -39,4 +39,11 @@ impl Asked {
             places,
         }
     }
+
+    /// Films of its largest layout.
+    pub fn most_films(&self) -> usize {
+        let films = self.layouts.iter();
+        let films = films.map(|layout| layout.arrangement.films.len());
+        films.max().unwrap_or(0)
+    }
 }
