@@ -71,18 +71,19 @@ pub struct Loads {
 
 impl Loads {
     /// Loads at the fraction `t` of the way to `target`. The ground is the target's, with the depths on their way from
-    /// this one's, or from zero where there is none yet, leaning and dragged as far as it is on its way there.
+    /// this one's, or from where the profile's crests touch where there is none yet, leaning and dragged as far as it is on its way there.
     pub fn towards(&self, target: &Self, t: f64) -> Self {
         let mix = |a: f64, b: f64| if t >= 1.0 { b } else { a + t * (b - a) };
         let ground = target.ground.as_ref().map(|ground| {
             let start = self.ground.as_ref();
             let start_depths = start.map(|g| g.depths.as_slice()).unwrap_or_default();
             let start_shift = start.map_or([0.0; 2], |g| g.shift);
+            let untouched = 0.0 - ground.profile.crest();
             let depths = ground
                 .depths
                 .iter()
                 .enumerate()
-                .map(|(k, &depth)| mix(start_depths.get(k).copied().unwrap_or(0.0), depth))
+                .map(|(k, &depth)| mix(start_depths.get(k).copied().unwrap_or(untouched), depth))
                 .collect();
             let (axes, base) = match start {
                 Some(start) if start.axes != ground.axes => (

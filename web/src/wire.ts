@@ -4430,14 +4430,14 @@ export interface components {
             /** @description Profile of the ground beside its stations, the same at every depth; a plane when left out. */
             profile?: components["schemas"]["GroundProfileDocument"];
         };
-        /** @description Profile of the ground: its highest points are as high as the stations' ground. */
+        /** @description Profile of the ground: the highest points of a sphere, a cylinder and an edge are as high as the stations' ground, the mean of rough ground is. */
         GroundProfileDocument: {
             /**
-             * @description Kind of the profile. `sphere`: A sphere; beyond nine tenths of its radius a cone goes on from there. `cylinder`: A cylinder that lies on the ground; beyond nine tenths of its radius planes go on from there. `edge`: A rounded edge, behind which the ground falls off.
+             * @description Kind of the profile. `sphere`: A sphere; beyond nine tenths of its radius a cone goes on from there. `cylinder`: A cylinder that lies on the ground; beyond nine tenths of its radius planes go on from there. `edge`: A rounded edge, behind which the ground falls off. `rough`: Rough ground.
              * @default sphere
              * @enum {string}
              */
-            kind: "sphere" | "cylinder" | "edge";
+            kind: "sphere" | "cylinder" | "edge" | "rough";
             /**
              * @description Radius of the round, mm.
              * @default 10
@@ -4452,10 +4452,16 @@ export interface components {
              */
             place_mm: number[];
             /**
-             * @description Direction of a cylinder's axis or an edge, degrees from the rolling direction; 90 is across the wheel. An edge falls off to the left of it; a sphere has none.
+             * @description Direction of a cylinder's axis or an edge, degrees from the rolling direction; 90 is across the wheel. An edge falls off to the left of it; a sphere and rough ground have none.
              * @default 90
              */
             direction_deg: number;
+            /** @description Standard deviation of rough ground's height, mm; 0.1 when left out there. */
+            rms_mm?: number;
+            /** @description Distance over which the correlation of rough ground's heights falls to 1/e, mm, at least three deviations; 5 when left out there. */
+            correlation_mm?: number;
+            /** @description Seed from which rough ground is drawn; 1 when left out there. */
+            seed?: number;
         };
         /** @description Contact of tire and ground. */
         ContactDocument: {
@@ -6106,6 +6112,9 @@ export const RANGES = {
   "ground/profile/radius_mm": [0.001, 10000],
   "ground/profile/place_mm/*": [-10000, 10000],
   "ground/profile/direction_deg": [-360, 360],
+  "ground/profile/rms_mm": [0.001, 10000],
+  "ground/profile/correlation_mm": [0.001, 10000],
+  "ground/profile/seed": [0, 18446744073709552000],
   "contact/friction": [0, 10],
   "contact/penalty_n_per_mm3": [0.000001, 1000000000],
 } as const;

@@ -10,7 +10,7 @@ use document::{Choice, Table};
 
 use super::contact::Contact;
 use super::geometry::Geometry;
-use super::ground_profile::GroundProfile;
+use super::ground_profile::{GroundProfile, ProfileKind};
 use super::shared_ranges::LENGTH;
 
 /// Forces that press the ground.
@@ -20,6 +20,9 @@ pub const DEPTH: Range = Range::new(0.0, LENGTH.high, "mm");
 /// Inclinations of the wheel.
 const CAMBER: Range = Range::new(-30.0, 30.0, "degrees");
 const WAY: Range = Range::new(-LENGTH.high, LENGTH.high, "mm");
+/// Least correlation length of rough ground, of the wall. At a half strains at P3 differ by 3 % of the change between the coarse and the standard mesh of the foot tire, moments by a sixth; at
+/// a third moments differ by their size.
+const FINEST_OF_WALL: f64 = 0.5;
 /// Most stations of the ground.
 const MAX_STATIONS: usize = 21;
 /// Stations, and their depths in mm, of a ground of which nothing is said.
@@ -213,6 +216,22 @@ pub(super) fn check_under(
             let detail = format!("must be a number {range}; it is {}", plain(*value));
             Fault::add(faults, &format!("{at}/{field}/{i}"), detail);
         }
+    }
+    let own = ground
+        .profile
+        .as_ref()
+        .filter(|own| own.kind == ProfileKind::Rough);
+    let finest = FINEST_OF_WALL * geometry.wall_mm;
+    if let Some(rough) = own
+        .map(GroundProfile::roughness)
+        .filter(|own| own.correlation_mm < finest)
+    {
+        let detail = format!(
+            "must be at least {} mm, half of the wall: meshes are too coarse for finer roughness; it is {}",
+            plain(finest),
+            plain(rough.correlation_mm)
+        );
+        Fault::add(faults, &format!("{at}/profile/correlation_mm"), detail);
     }
     let half_width = (ground.stations - 1) as f64 / 2.0 * ground.station_spacing_mm;
     if half_width > geometry.outer_radius_mm {

@@ -28,7 +28,7 @@ pub use carcass::Carcass;
 pub use contact::Contact;
 pub use geometry::{Geometry, GeometryKind};
 pub use ground::{DEPTH, Ground, LOAD, StationFunctions};
-pub use ground_profile::{GroundProfile, ProfileKind};
+pub use ground_profile::{GroundProfile, ProfileKind, Roughness};
 pub use material::{Law, Material, OgdenTerm};
 pub use mesh_level::{Level, Model};
 pub use sensor_film::{Film, FilmLayer, Glue};

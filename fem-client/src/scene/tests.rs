@@ -258,11 +258,26 @@ fn a_profile_is_read_and_written_and_a_plane_leaves_no_trace() {
     );
     let again = Scene::from_json(&scene.canonical_json()).expect("reads what it wrote");
     assert_eq!(again, scene);
-    for kind in ["sphere", "cylinder", "edge"] {
+    for kind in ["sphere", "cylinder", "edge", "rough"] {
         let scene = on_ground(&format!("profile = {{ kind = \"{kind}\" }}")).expect("reads");
         assert_eq!(Scene::from_json(&scene.canonical_json()), Ok(scene));
     }
     assert!(!Scene::default().canonical_json().contains("profile"));
+}
+
+#[test]
+fn rough_ground_says_all_of_its_roughness() {
+    let scene = on_ground("profile = { kind = \"rough\", rms_mm = 0.25 }").expect("reads");
+    let profile = scene.ground.profile.clone().expect("given");
+    let own = profile.roughness();
+    assert_eq!((own.rms_mm, own.correlation_mm, own.seed), (0.25, 5.0, 1));
+    assert!(scene.canonical_json().contains("\"correlation_mm\":5"));
+    let mut varied = scene.clone();
+    let seed = "ground.profile.seed";
+    varied.set(seed, &7.into()).expect("a seed");
+    assert_eq!(varied.number_at(seed), Ok(7.0));
+    let round = on_ground("profile = { kind = \"sphere\" }").expect("reads");
+    assert!(!round.canonical_json().contains("rms_mm"));
 }
 
 #[test]
@@ -273,6 +288,18 @@ fn what_cannot_be_is_named() {
         (
             "load_n = 13, profile = { radius_mm = 5 }",
             "/ground/load_n: presses flat ground",
+        ),
+        (
+            "profile = { kind = \"edge\", seed = 3 }",
+            "/ground/profile/seed: belongs to kind \"rough\"",
+        ),
+        (
+            "profile = { kind = \"rough\", rms_mm = 2 }",
+            "/ground/profile/rms_mm: must be at most a third of correlation_mm (5 mm); it is 2",
+        ),
+        (
+            "profile = { kind = \"rough\", correlation_mm = 1 }",
+            "/ground/profile/correlation_mm: must be at least 1.5 mm, half of the wall",
         ),
     ] {
         let found = on_ground(ground).expect_err(expected);

@@ -1,4 +1,6 @@
-//! Shape of the ground beside its stations, the same at every depth: a sphere, a cylinder or an edge.
+//! Shape of the ground beside its stations, the same at every depth: a sphere, a cylinder, an edge or waves.
+
+use std::sync::Arc;
 
 /// Share of the radius from which on a round falls no faster: there it is 64 degrees steep.
 const STEEPEST: f64 = 0.9;
@@ -14,8 +16,11 @@ pub struct Height {
     pub curvature: [f64; 3],
 }
 
-/// Profile of the ground; its highest points are at height 0.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+/// Deviations of waves' heights above which their highest crests near the contact are not expected to rise.
+const CRESTS: f64 = 3.0;
+
+/// Profile of the ground. The highest points of rounds are at height 0, waves are about it.
+#[derive(Debug, Clone, PartialEq, Default)]
 pub enum Profile {
     /// Plane: the ground is as its stations say.
     #[default]
@@ -26,6 +31,56 @@ pub enum Profile {
     Cylinder(Round, [f64; 2]),
     /// An edge, behind which it falls off along this unit vector; before it, it is plane.
     Edge(Round, [f64; 2]),
+    /// A sum of waves.
+    Waves(Waves),
+}
+
+/// Waves that add up.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Waves {
+    waves: Arc<[Wave]>,
+    /// Sum of the amplitudes, mm: no place is higher.
+    highest: f64,
+    /// Height of the crests that are to be expected near the contact, mm.
+    crest: f64,
+}
+
+impl Waves {
+    /// Adds these up.
+    pub fn new(waves: Vec<Wave>) -> Self {
+        let variance: f64 = waves.iter().map(|w| 0.5 * w.amplitude * w.amplitude).sum();
+        Self {
+            highest: waves.iter().map(|wave| wave.amplitude.abs()).sum(),
+            crest: CRESTS * variance.sqrt(),
+            waves: waves.into(),
+        }
+    }
+}
+
+/// A wave of the ground, a cos(k . x + p).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Wave {
+    /// Amplitude a, mm.
+    pub amplitude: f64,
+    /// Wave vector k over x and y, rad/mm.
+    pub vector: [f64; 2],
+    /// Phase p at the origin, rad.
+    pub phase: f64,
+}
+
+impl Wave {
+    /// Adds its height with derivatives at a place, mm.
+    fn add_to(&self, height: &mut Height, [x, y]: [f64; 2]) {
+        let [kx, ky] = self.vector;
+        let (sin, cos) = (kx * x + ky * y + self.phase).sin_cos();
+        let [value, slope] = [self.amplitude * cos, -self.amplitude * sin];
+        height.value += value;
+        height.slope[0] += slope * kx;
+        height.slope[1] += slope * ky;
+        height.curvature[0] -= value * kx * kx;
+        height.curvature[1] -= value * kx * ky;
+        height.curvature[2] -= value * ky * ky;
+    }
 }
 
 /// A round of this radius.
@@ -106,6 +161,29 @@ impl Profile {
             Self::Sphere(round) => round.sphere(place),
             Self::Cylinder(round, off) => round.ridge(place, *off, false),
             Self::Edge(round, off) => round.ridge(place, *off, true),
+            Self::Waves(waves) => {
+                let mut height = Height::default();
+                for wave in waves.waves.iter() {
+                    wave.add_to(&mut height, place);
+                }
+                height
+            }
+        }
+    }
+
+    /// Height that no place is above, mm.
+    pub fn highest(&self) -> f64 {
+        match self {
+            Self::Waves(waves) => waves.highest,
+            Self::Plane | Self::Sphere(_) | Self::Cylinder(..) | Self::Edge(..) => 0.0,
+        }
+    }
+
+    /// Height of its highest points, or of the crests that are to be expected of waves, mm.
+    pub(crate) fn crest(&self) -> f64 {
+        match self {
+            Self::Waves(waves) => waves.crest,
+            _ => self.highest(),
         }
     }
 }
@@ -119,13 +197,26 @@ mod tests {
         radius: 3.0,
     };
 
-    fn all() -> [Profile; 5] {
+    fn waves() -> Profile {
+        let wave = |amplitude, vector, phase| Wave {
+            amplitude,
+            vector,
+            phase,
+        };
+        Profile::Waves(Waves::new(vec![
+            wave(0.3, [0.6, -0.8], 0.4),
+            wave(-0.4, [1.1, 0.3], -2.0),
+        ]))
+    }
+
+    fn all() -> [Profile; 6] {
         [
             Profile::Sphere(ROUND),
             Profile::Cylinder(ROUND, [0.0, 1.0]),
             Profile::Cylinder(ROUND, [-0.6, 0.8]),
             Profile::Edge(ROUND, [-0.6, 0.8]),
             Profile::Edge(ROUND, [0.28, -0.96]),
+            waves(),
         ]
     }
 
@@ -185,5 +276,15 @@ mod tests {
             assert!((edge.at([along, y + 1.8]).value + 0.6).abs() < 1e-14);
             assert_eq!(edge.at([along, y - 1.8]), Height::default());
         }
+    }
+
+    #[test]
+    fn waves_add_up_and_their_crests_are_three_deviations_high() {
+        let at = waves().at([0.0; 2]).value;
+        assert!((at - (0.3 * 0.4f64.cos() - 0.4 * 2.0f64.cos())).abs() < 1e-15);
+        // Half of 0.09 and 0.16 is the variance.
+        assert!((waves().crest() - 3.0 * 0.125f64.sqrt()).abs() < 1e-15);
+        assert!((waves().highest() - 0.7).abs() < 1e-15);
+        assert_eq!(Profile::Sphere(ROUND).crest(), 0.0);
     }
 }

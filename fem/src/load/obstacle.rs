@@ -110,6 +110,14 @@ impl HeightField {
         z - self.height(x, y).value
     }
 
+    /// Height with its derivatives below or above a point in the ground's coordinates, mm; none where the point is above all that the profile may rise to there:
+    /// waves aren't added up for it.
+    pub fn near(&self, [x, y, z]: Vector) -> Option<Height> {
+        let stations = self.of_stations(x);
+        let is_near = z <= stations[0] + self.profile.highest();
+        is_near.then(|| self.on(stations, [x, y]))
+    }
+
     /// Depth that the stations give at the contact's centre, mm.
     pub fn depth(&self) -> f64 {
         self.of_stations(0.0)[0] - self.base
@@ -117,7 +125,11 @@ impl HeightField {
 
     /// Height with its derivatives at x and y, mm.
     pub fn height(&self, x: f64, y: f64) -> Height {
-        let [value, slope, curvature] = self.of_stations(x);
+        self.on(self.of_stations(x), [x, y])
+    }
+
+    /// Height with its derivatives at x and y, mm, where the stations give these.
+    fn on(&self, [value, slope, curvature]: [f64; 3], [x, y]: [f64; 2]) -> Height {
         let profile = self.profile.at([x - self.shift[0], y - self.shift[1]]);
         Height {
             value: value + profile.value,

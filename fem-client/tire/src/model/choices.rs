@@ -1,7 +1,7 @@
 //! Choices of a scene's model: what it has, and what it leaves out.
 
 use fem::cell::element::Order;
-use fem_client::scene::{Film, Scene};
+use fem_client::scene::{Film, ProfileKind, Scene};
 use fem_client::solver::Choice;
 
 use super::dimensions::shape;
@@ -50,11 +50,22 @@ pub(super) fn modelled(scene: &Scene, grid: &TireGrid) -> Vec<Choice> {
         list.push(choice("camber", why));
     }
     if let Some(profile) = &scene.ground.profile {
-        let why = format!(
-            "{} of {} mm on the ground: the gap is along the ground's normal, as depths are",
-            profile.kind.as_str(),
-            profile.radius_mm
-        );
+        let what = match profile.kind {
+            ProfileKind::Rough => {
+                let own = profile.roughness();
+                let [rms, length] = [own.rms_mm, own.correlation_mm];
+                format!(
+                    "ground that is rough by {rms} mm over {length} mm, seed {}",
+                    own.seed
+                )
+            }
+            round => format!(
+                "{} of {} mm on the ground",
+                round.as_str(),
+                profile.radius_mm
+            ),
+        };
+        let why = format!("{what}: the gap is along the ground's normal, as depths are");
         list.push(choice("profile", why));
     }
     if scene.contact.friction > 0.0 {

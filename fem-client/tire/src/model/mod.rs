@@ -18,6 +18,7 @@ mod glued_film;
 mod meshed_part;
 mod mirrored_state;
 mod resting_ground;
+mod rough_ground;
 mod tire_model;
 
 pub use carcass_layer::cord_families;

@@ -8,6 +8,8 @@ use fem::load::ground_shape::{Profile, Round};
 use fem::load::obstacle::{self, GroundAxes, HeightField};
 use fem_client::scene::{Ground, GroundProfile, ProfileKind, Scene, StationFunctions};
 
+use super::rough_ground;
+
 /// Contact stiffness in units of shear modulus over wall thickness, when the scene doesn't give one. At the reference
 /// tire it is 120 N/mm^3: the reaction is then 0.2 % low and the meridional strain at the centre 0.4 %; three times as
 /// stiff leaves a third of that and costs a third more iterations.
@@ -67,14 +69,16 @@ pub(crate) fn profiled_ground(
 /// The profile of a scene's ground, whose tire touches it so far aside, mm.
 fn profile(own: &GroundProfile, aside: f64) -> Profile {
     let [x, y] = own.place_mm;
+    let centre = [x, y + aside];
     let round = Round {
-        centre: [x, y + aside],
+        centre,
         radius: own.radius_mm,
     };
     match own.kind {
         ProfileKind::Sphere => Profile::Sphere(round),
         ProfileKind::Cylinder => Profile::Cylinder(round, own.left()),
         ProfileKind::Edge => Profile::Edge(round, own.left()),
+        ProfileKind::Rough => Profile::Waves(rough_ground::waves(&own.roughness(), centre)),
     }
 }
 

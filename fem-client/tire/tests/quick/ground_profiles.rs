@@ -12,6 +12,7 @@ fn on(kind: ProfileKind, radius_mm: f64, place_mm: [f64; 2], direction_deg: f64)
         radius_mm,
         place_mm,
         direction_deg,
+        ..GroundProfile::default()
     });
     scene
 }
@@ -23,6 +24,15 @@ fn sphere(radius_mm: f64, place_mm: [f64; 2]) -> Scene {
 fn along(response: &Response) -> Vec<[f64; 2]> {
     let of = |own: &fem_client::solver::LocationStrain| [own.strain.x, own.strain.y];
     response.locations.iter().map(of).collect()
+}
+
+fn rough(rms_mm: f64, correlation_mm: f64, seed: u64) -> Scene {
+    let mut scene = on(ProfileKind::Rough, 1.0, [0.0; 2], 0.0);
+    let profile = scene.ground.profile.as_mut().expect("given above");
+    profile.rms_mm = Some(rms_mm);
+    profile.correlation_mm = Some(correlation_mm);
+    profile.seed = Some(seed);
+    scene
 }
 
 #[test]
@@ -40,6 +50,39 @@ fn a_sphere_of_a_large_radius_is_a_plane_to_first_order_in_its_curvature() {
     assert!(far[0] < 1e-4 && far[1] < 0.01, "{far:?}");
     for (near, far) in near.into_iter().zip(far) {
         assert!((near / far / 10.0 - 1.0).abs() < 0.05, "{near} {far}");
+    }
+}
+
+/// Ten times as high changes strains and forces ten times as much but for the second order, and turned over the other way.
+#[test]
+fn rough_ground_changes_the_answer_in_proportion_to_its_height() {
+    let mut plane = leaning(0.0);
+    plane.ground.camber_deg = 1e-12;
+    plane.ground.depths_mm[4] += 1e-12;
+    let plane = solve(&plane);
+    let off = |rms_mm: f64| {
+        let found = solve(&rough(rms_mm, 6.0, 2));
+        assert_eq!(found.model.dimension, "3d");
+        let pairs = across(&found).into_iter().zip(across(&plane));
+        let force = force(&found).into_iter().zip(force(&plane));
+        let strains: Vec<f64> = pairs.map(|(a, b)| a - b).collect();
+        (strains, force.map(|(a, b)| a - b).collect::<Vec<f64>>())
+    };
+    let (near, far) = (off(1e-4), off(1e-3));
+    let largest = |values: &[f64]| {
+        values
+            .iter()
+            .fold(0.0, |most: f64, own| most.max(own.abs()))
+    };
+    for (near, far) in [(&near.0, &far.0), (&near.1, &far.1)] {
+        let scale = largest(far);
+        assert!(scale > 1e-5);
+        for (near, far) in near.iter().zip(far) {
+            assert!(
+                (10.0 * near - far).abs() < 0.05 * scale,
+                "{near} {far} {scale}"
+            );
+        }
     }
 }
 
@@ -116,5 +159,12 @@ fn extremes_have_an_equilibrium() {
             last = load;
         }
         assert!(last > 0.0);
+    }
+    for (rms, correlation, depth) in [(0.3, 1.5, 0.0), (0.1, 1.5, 1.0), (1.5, 5.0, 2.0)] {
+        let mut scene = rough(rms, correlation, 5);
+        scene.model.level = Level::Draft;
+        scene.ground = scene.ground.at_depths(vec![depth; 5]);
+        let load = solve(&scene).reaction_n;
+        assert!(load >= 0.0 && load.is_finite(), "{rms} {depth} {load}");
     }
 }

@@ -234,8 +234,18 @@ fn the_bead_holds_force_and_moment_of_the_ground() {
         radius_mm: 12.0,
         place_mm: [2.0, -1.0],
         direction_deg: 90.0,
+        ..GroundProfile::default()
     };
-    for (friction, profile) in [(0.0, None), (0.5, None), (0.5, Some(sphere))] {
+    let rough = GroundProfile {
+        kind: ProfileKind::Rough,
+        ..sphere.clone()
+    };
+    for (friction, profile) in [
+        (0.0, None),
+        (0.5, None),
+        (0.5, Some(sphere)),
+        (0.5, Some(rough)),
+    ] {
         let mut scene = leaning(11.0);
         scene.ground.profile = profile;
         scene.ground.depths_mm = vec![1.2, 1.0, 0.9, 1.1, 0.8];

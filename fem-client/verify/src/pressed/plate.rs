@@ -73,7 +73,7 @@ impl<'p> Pressing<'p> {
             functions: StationFunctions::Hat,
             depths: vec![depth],
             shift: [0.0; 2],
-            profile: self.profile,
+            profile: self.profile.clone(),
         };
         let loads = Loads {
             ground: Some(ground),

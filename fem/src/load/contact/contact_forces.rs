@@ -107,7 +107,7 @@ mod tests {
     use crate::central_differences::{assert_upper_agrees, derivative};
     use crate::load::contact::{Penalty, Wrench};
     use crate::load::friction::Friction;
-    use crate::load::ground_shape::{Profile, Round};
+    use crate::load::ground_shape::{Profile, Round, Wave, Waves};
     use crate::load::obstacle::StationFunctions;
 
     fn patch() -> (Vec<Vector>, ContactSurface) {
@@ -241,10 +241,15 @@ mod tests {
             Profile::Sphere(round),
             Profile::Cylinder(round, [0.6, 0.8]),
             Profile::Edge(round, [-0.6, 0.8]),
+            Profile::Waves(Waves::new(vec![Wave {
+                amplitude: 0.2,
+                vector: [0.7, -0.4],
+                phase: 0.3,
+            }])),
         ];
         for axes in [GroundAxes::LEVEL, GroundAxes::below(0.1)] {
-            for profile in profiles {
-                assert_stiffness_without_friction(axes, profile);
+            for profile in &profiles {
+                assert_stiffness_without_friction(axes, profile.clone());
             }
         }
     }

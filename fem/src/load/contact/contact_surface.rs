@@ -60,7 +60,12 @@ impl ContactSurface {
         ground: &HeightField,
         positions: impl Fn(u32) -> Vector,
     ) -> Vec<bool> {
-        let is_below = |position: Vector| ground.gap(position) <= 0.0;
+        let is_below = |position: Vector| {
+            let place = ground.axes.coordinates(position);
+            ground
+                .near(place)
+                .is_some_and(|height| place[2] <= height.value)
+        };
         let below = |face: &[u32]| {
             let nodes: Vec<Vector> = face.iter().map(|&n| positions(n)).collect();
             let mut points = self.rule.iter().map(|point| interpolate(point, &nodes));
@@ -106,8 +111,11 @@ impl ContactSurface {
         mut visit: impl FnMut(usize, f64, &Touch),
     ) {
         for (index, point) in self.rule.iter().enumerate() {
-            let [x, y, z] = ground.axes.coordinates(interpolate(point, current));
-            let height = ground.height(x, y);
+            let place = ground.axes.coordinates(interpolate(point, current));
+            let Some(height) = ground.near(place) else {
+                continue;
+            };
+            let [x, y, z] = place;
             let penetration = height.value - z;
             if penetration > 0.0 {
                 let (pressure, pressure_slope) = self.penalty.pressure(penetration);
