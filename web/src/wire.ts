@@ -1768,6 +1768,8 @@ export interface components {
             dead?: components["schemas"]["DeadFilm"] | null;
             /** @description Errors of contacts that differ in nothing (`noise`) and in each quantity of `layouts.contacts` alone; absent where contacts don't differ. */
             contacts?: components["schemas"]["ContactError"][];
+            /** @description Errors of what films tell of a contact beside angle and force; absent where contacts don't differ, or an estimate averages over them. */
+            told?: components["schemas"]["ToldQuantity"][];
             shear?: components["schemas"]["ShearScore"] | null;
             /**
              * Format: double
@@ -2379,6 +2381,11 @@ export interface components {
              *     differ.
              */
             contacts?: components["schemas"]["ContactError"][];
+            /**
+             * @description Errors of what films tell of a contact beside angle and force, each at the load where it is largest; absent where contacts don't differ, or an estimate
+             *     averages over them.
+             */
+            told?: components["schemas"]["ToldQuantity"][];
             /** @description Scores at every load. */
             loads: components["schemas"]["LoadScore"][];
             error_sources?: components["schemas"]["ErrorSources"] | null;
@@ -3737,6 +3744,25 @@ export interface components {
                 max: number;
             };
         };
+        /** @description Error of what films tell of a quantity that contacts differ in. */
+        ToldQuantity: {
+            /** @description The quantity, as `layouts.contacts` names it. */
+            of: string;
+            /** @description Name for people. */
+            words: string;
+            /**
+             * Format: double
+             * @description Error of its estimate, root mean square over contacts, in its own unit.
+             */
+            error: number;
+            /**
+             * Format: double
+             * @description Standard deviation over contacts: the error where films tell nothing.
+             */
+            deviation: number;
+            /** @description Whether films tell something of it: the error is at least a tenth less than the deviation. */
+            known: boolean;
+        };
         /**
          * @description The part of a result that a note is about.
          * @enum {string}
@@ -4774,6 +4800,12 @@ export interface components {
             uneven?: components["schemas"]["DistributionDocument"];
             /** @description Law of the internal pressure over the scene's. */
             pressure_factor?: components["schemas"]["DistributionDocument"];
+            /**
+             * @description Scatter of films over these contacts, as an estimate takes it: known of all films together, so that what contacts differ in is estimated, too, or averaged over, as noise of each film. `together`: Known of all films together: what contacts differ in is estimated beside angle and depth. `each`: Noise of each film for its own: averaged over.
+             * @default together
+             * @enum {string}
+             */
+            scatter: "together" | "each";
         };
         /** @description Values to which what the answer's figures rest on is changed, one at a time. */
         LayoutAssumptionsDocument: {
@@ -5989,6 +6021,7 @@ export type TableError = components['schemas']['TableError'];
 export type TableReport = components['schemas']['TableReport'];
 export type Taken = components['schemas']['Taken'];
 export type TensionFields_Extremes = components['schemas']['TensionFields_Extremes'];
+export type ToldQuantity = components['schemas']['ToldQuantity'];
 export type Topic = components['schemas']['Topic'];
 export type Trade = components['schemas']['Trade'];
 export type TradeAnswer = components['schemas']['TradeAnswer'];

@@ -118,5 +118,6 @@ fn fields() -> DepthFields {
         sheared: Vec::new(),
         contacts: None,
         spread: None,
+        together: None,
     }
 }

@@ -121,6 +121,7 @@ mod tests {
             sheared: Vec::new(),
             contacts: None,
             spread: None,
+            together: None,
         }
     }
 

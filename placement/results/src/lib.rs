@@ -40,7 +40,7 @@ pub use layout_findings::{
 };
 pub use ranked_layout::{
     AlikeContacts, ContactError, DeadFilm, ErrorSources, LayoutError, LayoutScore, LoadScore,
-    RankedLayout, ShearError, ShearScore, WorstForce,
+    RankedLayout, ShearError, ShearScore, ToldQuantity, WorstForce,
 };
 pub use ranked_location::RankedLocation;
 use serde::{Deserialize, Serialize};

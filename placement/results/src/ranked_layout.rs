@@ -50,6 +50,10 @@ pub struct RankedLayout {
     /// differ.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub contacts: Vec<ContactError>,
+    /// Errors of what films tell of a contact beside angle and force, each at the load where it is largest; absent where contacts don't differ, or an estimate
+    /// averages over them.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub told: Vec<ToldQuantity>,
     /// Scores at every load.
     pub loads: Vec<LoadScore>,
     /// Noise and inputs as sources of the angle's error; absent where the study has no map, and of films that the map doesn't show.
@@ -83,6 +87,19 @@ impl RankedLayout {
                         known.p95_angle_error_deg.max(own.p95_angle_error_deg);
                     known.force_error_n = known.force_error_n.max(own.force_error_n);
                 }
+            }
+        }
+        largest
+    }
+
+    /// Errors of told quantities, each at the load where it is largest, of its scores.
+    pub fn largest_told_errors(&self) -> Vec<ToldQuantity> {
+        let mut largest: Vec<ToldQuantity> = Vec::new();
+        for own in self.loads.iter().flat_map(|load| &load.score.told) {
+            match largest.iter_mut().find(|known| known.of == own.of) {
+                None => largest.push(own.clone()),
+                Some(known) if own.error > known.error => *known = own.clone(),
+                Some(_) => {}
             }
         }
         largest
@@ -182,6 +199,9 @@ pub struct LayoutScore {
     /// Errors of contacts that differ in nothing (`noise`) and in each quantity of `layouts.contacts` alone; absent where contacts don't differ.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub contacts: Vec<ContactError>,
+    /// Errors of what films tell of a contact beside angle and force; absent where contacts don't differ, or an estimate averages over them.
+    #[serde(skip_serializing_if = "Vec::is_empty", default)]
+    pub told: Vec<ToldQuantity>,
     /// Score with forces along and across the wheel unknown, too, where that was asked for.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub shear: Option<ShearScore>,
@@ -209,6 +229,21 @@ pub struct ContactError {
     pub p95_angle_error_deg: f64,
     /// Error of the vertical force, root mean square, N.
     pub force_error_n: f64,
+}
+
+/// Error of what films tell of a quantity that contacts differ in.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
+pub struct ToldQuantity {
+    /// The quantity, as `layouts.contacts` names it.
+    pub of: String,
+    /// Name for people.
+    pub words: String,
+    /// Error of its estimate, root mean square over contacts, in its own unit.
+    pub error: f64,
+    /// Standard deviation over contacts: the error where films tell nothing.
+    pub deviation: f64,
+    /// Whether films tell something of it: the error is at least a tenth less than the deviation.
+    pub known: bool,
 }
 
 /// Claimed errors of a layout's scores, each in the unit of its score.

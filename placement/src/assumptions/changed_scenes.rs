@@ -103,5 +103,6 @@ fn of_change(
     Ok(TrueContact {
         force_n: field.force_n + changed.reaction_n - assumed.reaction_n,
         signals: signals.collect::<Result<_, String>>()?,
+        values: Vec::new(),
     })
 }

@@ -3,11 +3,14 @@
 use gsa::law::distribution::Distribution;
 use serde_json::{Map, Value};
 
+use document::Choice;
 use document::fields::Range;
 
 use crate::layouts::layout_bounds::{CAMBER, PRESSURE_FACTOR, TRACTION, UNEVEN};
 use crate::parts::distribution_reader::distribution_value;
 
+/// Field of how an estimate takes the scatter.
+pub(super) const SCATTER: &str = "scatter";
 /// Share of a law beyond either of its ends: nothing is drawn from there.
 const BEYOND: f64 = 1e-3;
 
@@ -137,13 +140,27 @@ impl ContactLaw {
     }
 }
 
-/// Writes laws as the table in a document.
-pub(super) fn laws_value(laws: &[ContactLaw]) -> Value {
+/// Scatter of films over contacts, as an estimate takes it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Choice)]
+pub enum Scatter {
+    /// Known of all films together: what contacts differ in is estimated beside angle and depth.
+    #[default]
+    Together,
+    /// Noise of each film for its own: averaged over.
+    Each,
+}
+
+/// Writes laws, and how their scatter is taken, as the table in a document.
+pub(super) fn laws_value(laws: &[ContactLaw], scatter: Scatter) -> Value {
     let entry = |law: &ContactLaw| {
         let name = law.quantity.as_str().to_owned();
         (name, distribution_value(&law.law))
     };
-    Value::Object(laws.iter().map(entry).collect::<Map<_, _>>())
+    let mut table: Map<_, _> = laws.iter().map(entry).collect();
+    if scatter != Scatter::default() {
+        table.insert(SCATTER.to_owned(), scatter.as_str().into());
+    }
+    Value::Object(table)
 }
 
 #[cfg(test)]

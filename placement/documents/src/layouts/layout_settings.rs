@@ -6,7 +6,7 @@ use fem_client::solver::direction::Direction;
 use serde_json::{Map, Value, json};
 
 use crate::layouts::assumptions::Assumptions;
-use crate::layouts::contact_laws::{ContactLaw, laws_value};
+use crate::layouts::contact_laws::{ContactLaw, Scatter, laws_value};
 use crate::layouts::film_room::FilmRoom;
 use crate::layouts::gluing_limits::GluingLimits;
 use crate::parts::directions::Directions;
@@ -59,6 +59,8 @@ pub struct Layouts {
     pub shear: bool,
     /// Laws of what a contact is beside its angle and depth; none: it is upright, on flat ground, not dragged.
     pub contacts: Vec<ContactLaw>,
+    /// Scatter over these contacts, as an estimate takes it.
+    pub scatter: Scatter,
     /// Values to which what the figures rest on is changed.
     pub assumptions: Assumptions,
     /// Mesh level; none: the study's own, the standard at most.
@@ -190,6 +192,7 @@ impl Default for Layouts {
             dead: false,
             shear: false,
             contacts: Vec::new(),
+            scatter: Scatter::default(),
             assumptions: Assumptions::default(),
             level: None,
             search: None,
@@ -342,7 +345,7 @@ impl Layouts {
             put("shear", true.into());
         }
         if !self.contacts.is_empty() {
-            put("contacts", laws_value(&self.contacts));
+            put("contacts", laws_value(&self.contacts, self.scatter));
         }
         if self.assumptions != Assumptions::default() {
             put("assumptions", self.assumptions.to_value());

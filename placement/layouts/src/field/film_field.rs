@@ -2,6 +2,7 @@
 
 use crate::field::hermite::{Nodes, Turn, summed};
 use crate::field::response_surface::{Drawn, ResponseSurface};
+use crate::field::scatter_modes::ScatterModes;
 
 /// A force presses to depths that differ by less between meshes, relative.
 const SAME_LOAD: f64 = 0.05;
@@ -24,6 +25,8 @@ pub struct DepthFields {
     pub contacts: Option<ResponseSurface>,
     /// Variances of the signals over contacts by kind and depth.
     pub spread: Option<Vec<Vec<Vec<f64>>>>,
+    /// Quantities whose scatter an estimate knows of all films together; none: it takes each film's for its own.
+    pub together: Option<Drawn>,
 }
 
 /// Changes with a small shift of the ground at one load.
@@ -50,6 +53,8 @@ pub struct LoadField {
     pub force_slope: f64,
     /// A field for each kind of film.
     pub kinds: Vec<KindField>,
+    /// Modes in which films scatter together; none where an estimate doesn't know it.
+    pub modes: ScatterModes,
 }
 
 /// Signal of one kind of film at one depth.
@@ -79,18 +84,24 @@ impl DepthFields {
                 .as_ref()
                 .map(|spread| over_turn(&value, &spread[kind])),
         };
+        let force_n = summed(&value, |node| self.forces_n[node]);
+        let together = self.contacts.as_ref().zip(self.together);
         LoadField {
             depth_mm,
-            force_n: summed(&value, |node| self.forces_n[node]),
+            force_n,
             force_slope: summed(&slope, |node| self.forces_n[node]),
             kinds: self.signals.iter().enumerate().map(kind).collect(),
+            modes: together.map_or_else(ScatterModes::default, |(surface, drawn)| {
+                ScatterModes::of(surface, depth_mm, drawn, force_n)
+            }),
         }
     }
 }
 
 impl DepthFields {
-    /// The fields that readings have over contacts of which this is drawn: the means, and beside the noise the variances.
-    pub fn over_contacts(surface: ResponseSurface, drawn: Drawn) -> Self {
+    /// The fields that readings have over contacts of which this is drawn: the means, and beside the noise the variances; `together`: and what films scatter in
+    /// together.
+    pub fn over_contacts(surface: ResponseSurface, drawn: Drawn, together: bool) -> Self {
         let (means, spread) = surface.over_contacts(drawn);
         Self {
             depths: means.depths,
@@ -99,6 +110,7 @@ impl DepthFields {
             sheared: Vec::new(),
             contacts: Some(surface),
             spread: Some(spread),
+            together: together.then_some(drawn),
         }
     }
 

@@ -10,7 +10,7 @@ use gsa::design::sobol::Sobol;
 use crate::field::hermite::{DEGREES, Nodes, Shares, summed};
 
 /// Most contacts that a quantity's polynomial goes through, the usual one among them.
-const MOST_NODES: usize = 5;
+pub(super) const MOST_NODES: usize = 5;
 /// Halvings by which a value is looked up: 1e-12 of the reach.
 const HALVINGS: usize = 40;
 /// Contacts by which means and variances are summed.
@@ -70,7 +70,7 @@ pub enum Drawn {
 
 impl Drawn {
     /// Whether the quantity of a law is drawn.
-    fn has(self, law: usize) -> bool {
+    pub(super) fn has(self, law: usize) -> bool {
         match self {
             Self::All => true,
             Self::Only(only) => only == law,
@@ -89,7 +89,7 @@ pub enum Given {
 }
 
 /// Weights of an axis' nodes in a contact.
-type Weights = [f64; MOST_NODES];
+pub(super) type Weights = [f64; MOST_NODES];
 
 /// Contact of the surface, as weights of what was solved.
 #[derive(Debug, Clone)]
@@ -134,6 +134,66 @@ impl ResponseSurface {
     /// Numbers of the axes' laws.
     pub(crate) fn laws_of_axes(&self) -> impl Iterator<Item = usize> + '_ {
         self.axes.iter().map(|axis| axis.law)
+    }
+
+    /// Numbers of the laws of quantities with one axis alone: a contact has one value of each.
+    pub fn told(&self) -> Vec<usize> {
+        let axes_of = |law: &usize| self.laws_of_axes().filter(|own| own == law).count();
+        (0..self.laws.len())
+            .filter(|law| axes_of(law) == 1)
+            .collect()
+    }
+
+    /// Values of these quantities of a contact, where they are given as such.
+    pub(crate) fn told_of(&self, given: &[Given]) -> Vec<f64> {
+        let of_law = |law: usize| {
+            let axis = self.laws_of_axes().position(|own| own == law)?;
+            match given[axis] {
+                Given::Value(value) => Some(value),
+                Given::Step(_) => None,
+            }
+        };
+        self.told().into_iter().filter_map(of_law).collect()
+    }
+
+    /// Number of kinds of film.
+    pub(super) fn kinds(&self) -> usize {
+        self.usual.signals.len()
+    }
+
+    /// Number of an axis' nodes.
+    pub(super) fn nodes_of(&self, axis: usize) -> usize {
+        self.axes[axis].nodes[0].len()
+    }
+
+    /// Step of an axis at a depth, mm, that gives a value of its quantity.
+    pub(super) fn step(&self, depth_mm: f64, axis: usize, value: f64) -> f64 {
+        let [shares, _] = self.depths.shares(depth_mm);
+        let axis = &self.axes[axis];
+        axis.step_of(&axis.values(&shares), value)
+    }
+
+    /// Changes of the signals by kind, and of the force (N), at a depth, mm, of an axis' nodes with these weights.
+    pub(super) fn change(
+        &self,
+        depth_mm: f64,
+        axis: usize,
+        weights: &Weights,
+    ) -> (Vec<Vec<f64>>, f64) {
+        let [shares, _] = self.depths.shares(depth_mm);
+        let mut signals = vec![vec![0.0; DEGREES]; self.kinds()];
+        let mut force_n = 0.0;
+        for (depth, share) in shares.each() {
+            for (node, weight) in self.axes[axis].nodes[depth].iter().zip(weights) {
+                force_n += share * weight * node.force_n;
+                for (sums, samples) in signals.iter_mut().zip(&node.signals) {
+                    for (sum, sample) in sums.iter_mut().zip(samples) {
+                        *sum += share * weight * sample;
+                    }
+                }
+            }
+        }
+        (signals, force_n)
     }
 
     /// The surface of some kinds alone, in their order.
@@ -294,7 +354,7 @@ fn moments(numbers: impl Iterator<Item = f64> + Clone) -> [f64; 2] {
 }
 
 /// Lagrange's polynomials through so many even steps from -1 to 1, at a step.
-fn polynomials(count: usize, step: f64) -> Weights {
+pub(super) fn polynomials(count: usize, step: f64) -> Weights {
     let place = |k: usize| 2.0 * k as f64 / (count - 1).max(1) as f64 - 1.0;
     let mut weights = [0.0; MOST_NODES];
     for (k, weight) in weights.iter_mut().enumerate().take(count) {

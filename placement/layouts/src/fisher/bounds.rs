@@ -3,11 +3,13 @@
 //! A film at theta reads h(u) + noise, u = theta - phi, with phi the contact angle: one contact solution gives the reading for every contact angle by rotation,
 //! and dh/dphi = -h'(u). With the derivatives J of all films by angle, depth and further unknowns, and S the variances of their noise, the information is
 //! I = J' S^-1 J, and the diagonal of its inverse bounds the variances of any unbiased estimate from below (C. R. Rao, 1945; H. Cramer, 1946). With what is known
-//! before, I plus the inverse of the prior's covariance bounds the mean error of any estimate, biased ones included (H. L. van Trees, 1968).
+//! before, I plus the inverse of the prior's covariance bounds the mean error of any estimate, biased ones included (H. L. van Trees, 1968). S is diagonal, or the
+//! covariance of signals that scatter together.
 
 use crate::arrangement::Arrangement;
 use crate::field::film_field::{LoadField, Noise};
-use crate::fisher::information::{Blind, Information};
+use crate::fisher::information::{Blind, Information, MOST};
+use crate::fisher::joint_scatter::JointScatter;
 
 /// Standard deviation of an angle of which nothing is known: 360 / sqrt(12), degrees.
 pub(crate) const PRIOR_ANGLE_DEG: f64 = 103.923_048_454_132_64;
@@ -46,14 +48,22 @@ pub fn information(
 ) -> Information {
     let unknowns = 1 + field.kinds.first().map_or(1, |kind| kind.slopes.len());
     let mut information = Information::of(unknowns);
-    let mut slopes = Vec::with_capacity(unknowns);
+    let modes = field.modes.count();
+    let mut all = Vec::with_capacity(arrangement.films.len());
     for film in &arrangement.films {
         let kind = &field.kinds[film.kind];
         let apart = film.theta_deg - contact_deg;
-        slopes.clear();
-        slopes.extend(kind.derivatives(apart));
+        let mut slopes = [0.0; MOST];
+        for (slope, own) in slopes.iter_mut().zip(kind.derivatives(apart)) {
+            *slope = own;
+        }
         let own = noise.variance(kind.signal.at(apart), slopes[0]);
-        information.add(&slopes, own + kind.scatter(apart));
+        let scatter = if modes == 0 { kind.scatter(apart) } else { 0.0 };
+        information.add(&slopes, own + scatter);
+        all.push(slopes);
+    }
+    if modes > 0 {
+        JointScatter::new(field, arrangement, noise, contact_deg).hide(&mut information, &all);
     }
     information
 }
@@ -153,6 +163,7 @@ pub(crate) mod tests {
     use super::*;
     use crate::field::film_field::{DepthFields, KindField};
     use crate::field::hermite::{Nodes, Turn};
+    use crate::field::scatter_modes::ScatterModes;
 
     pub(crate) const NOISE: Noise = Noise {
         floor: 0.02,
@@ -179,6 +190,7 @@ pub(crate) mod tests {
             sheared: Vec::new(),
             contacts: None,
             spread: None,
+            together: None,
         }
     }
 
@@ -292,6 +304,7 @@ pub(crate) mod tests {
                 slopes: vec![nothing()],
                 spread: None,
             }],
+            modes: ScatterModes::default(),
         };
         let silent = Noise {
             floor: 0.0,

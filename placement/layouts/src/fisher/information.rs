@@ -40,6 +40,15 @@ impl Information {
         }
     }
 
+    /// Takes the information off that is hidden along these derivatives.
+    pub fn take(&mut self, slopes: &[f64; MOST]) {
+        for i in 0..self.count {
+            for j in 0..self.count {
+                self.matrix[i][j] -= slopes[i] * slopes[j];
+            }
+        }
+    }
+
     /// Adds what is known before: independent standard deviations.
     #[must_use]
     pub fn with_prior(mut self, deviations: &[f64]) -> Self {

@@ -72,6 +72,7 @@ pub fn with_scores(
     label.worst_load_n = worst.and_then(|load| load.load_n);
     label.worst_force = label.largest_force_error();
     label.contacts = label.largest_contact_errors();
+    label.told = label.largest_told_errors();
     label.doubt = doubt(&label.score);
     label
 }

@@ -11,8 +11,12 @@ use crate::simulate::alike::alike;
 use crate::simulate::drawn_contacts::TrueContact;
 use crate::simulate::draws::Draws;
 use crate::simulate::reading_likelihood::Likelihood;
-use crate::simulate::simulation::{Simulated, simulate, simulate_unknown};
-use results::{ContactError, DeadFilm, LayoutScore};
+use crate::simulate::simulation::{Simulated, ToldError, simulate, simulate_unknown};
+use documents::layouts::contact_laws::ContactQuantity;
+use results::{ContactError, DeadFilm, LayoutScore, ToldQuantity};
+
+/// Error of a quantity over its deviation below which films tell something of it.
+const KNOWN: f64 = 0.9;
 
 /// Largest simulated errors of a layout over the loads, with their standard errors by the number of samples.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -217,6 +221,7 @@ impl Scorer {
             simulated_rms_depth_error_mm: Some(simulated.rms_depth_mm),
             force_error_n: Some(force_n),
             force_error_n_se: Some(force_se_n),
+            told: told(fields, simulated),
             shear: shear(fields, &self.noise, depth_mm, arrangement),
             ..bounded(field, &self.noise, arrangement)
         }
@@ -258,6 +263,22 @@ impl Scorer {
         };
         worst.1.into_iter().enumerate().map(at).collect()
     }
+}
+
+/// Errors of what films tell of the quantities that contacts differ in.
+fn told(fields: &DepthFields, simulated: &Simulated) -> Vec<ToldQuantity> {
+    let laws = fields.contacts.iter().flat_map(|surface| {
+        let told = surface.told().into_iter();
+        told.map(|law| surface.laws()[law].quantity)
+    });
+    let of = |(quantity, own): (ContactQuantity, &ToldError)| ToldQuantity {
+        of: quantity.as_str().to_owned(),
+        words: quantity.words().to_owned(),
+        error: own.rms,
+        deviation: own.deviation,
+        known: own.rms < KNOWN * own.deviation,
+    };
+    laws.zip(&simulated.told).map(of).collect()
 }
 
 /// A layout's bounds at each depth, with nothing simulated: a thousandth of the work.

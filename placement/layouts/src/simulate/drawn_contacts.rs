@@ -28,6 +28,8 @@ pub struct TrueContact {
     pub force_n: f64,
     /// Signals by kind of film.
     pub signals: Vec<Turn>,
+    /// Values of the quantities that contacts have one of, in their laws' order; none where an estimate isn't asked for them.
+    pub values: Vec<f64>,
 }
 
 impl TrueContact {
@@ -37,6 +39,7 @@ impl TrueContact {
         Self {
             force_n: self.force_n,
             signals: signals.collect(),
+            values: self.values.clone(),
         }
     }
 }
@@ -53,11 +56,13 @@ impl DrawnContacts {
             (0..draws.most()).map(move |_| {
                 // What isn't asked for is drawn, too: the others stay as they are.
                 let shares: Vec<f64> = surface.laws_of_axes().map(|_| uniform(&mut rng)).collect();
-                let contact = surface.contact(depth_mm, &surface.drawn(&shares, drawn));
+                let given = surface.drawn(&shares, drawn);
+                let contact = surface.contact(depth_mm, &given);
                 let signal = |kind| Turn::new(surface.signal(&contact, kind));
                 TrueContact {
                     force_n: surface.force_n(&contact),
                     signals: kinds.clone().map(signal).collect(),
+                    values: surface.told_of(&given),
                 }
             })
         });
@@ -93,5 +98,10 @@ impl DrawnContacts {
     /// Vertical force of a sample, N; none where contacts don't differ.
     pub fn force_n(&self, sample: usize) -> Option<f64> {
         self.differing(sample).map(|own| own.force_n)
+    }
+
+    /// Values of a sample's quantities.
+    pub fn values(&self, sample: usize) -> &[f64] {
+        self.differing(sample).map_or(&[], |own| &own.values)
     }
 }

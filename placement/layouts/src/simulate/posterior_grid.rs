@@ -29,14 +29,21 @@ impl PosteriorGrid {
         Self { cells, finest }
     }
 
-    /// Number of its cells.
-    pub fn len(&self) -> usize {
-        self.cells.len()
-    }
-
     /// Number of the finest parts of angles around the wheel.
     pub fn angles(&self) -> usize {
         ANGLE_CELLS * self.finest
+    }
+
+    /// The middle of a finest part of a turn, degrees.
+    pub fn angle_deg(&self, angle: usize) -> f64 {
+        (angle as f64 + 0.5) * 360.0 / self.angles() as f64
+    }
+
+    /// Middles of all cells, among the finest parts.
+    pub fn middles(&self) -> Vec<[usize; 2]> {
+        (0..self.cells.len())
+            .map(|cell| self.block(cell, 0.0).middle())
+            .collect()
     }
 
     /// Shortfalls of all cells' middles below their best points, at most.

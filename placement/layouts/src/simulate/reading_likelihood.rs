@@ -1,4 +1,4 @@
-//! Likelihood of readings, whatever the layout: ln p as sums of products of a function of the depth and one of the angle.
+//! Likelihood of readings, whatever the layout. Where each film scatters on its own, ln p is a sum of products of a function of the depth and one of the angle.
 
 use std::sync::OnceLock;
 
@@ -21,9 +21,22 @@ pub struct Likelihood {
     noise: Noise,
     /// Middles of the finest parts of the depth cells, mm.
     pub(super) depths_mm: Vec<f64>,
+    pub(super) scatter: KnownScatter,
+}
+
+/// KnownScatter over contacts, as an estimate knows it.
+pub(super) enum KnownScatter {
+    /// Each film's for its own.
+    Each(Products),
+    /// Fields at the finest parts of depths with what all films scatter in together, made where they are asked for.
+    Together(Vec<OnceLock<LoadField>>),
+}
+
+/// Parts of ln p as sums of products.
+pub(super) struct Products {
     /// Factors of the products.
-    pub(super) coefficients: Coefficients,
-    pub(super) parts: Parts,
+    pub coefficients: Coefficients,
+    pub parts: Parts,
 }
 
 /// Likelihood of contacts of which one quantity alone is drawn, or none.
@@ -63,13 +76,21 @@ impl Likelihood {
     /// Prepares films of these fields; depths are flat between the ends of the solved ones.
     pub fn new(fields: DepthFields, noise: Noise) -> Self {
         let depths_mm = middles(fields.depths.ends(), DEPTH_CELLS * MOST_PARTS);
-        let parts = separate(&fields, &depths_mm, &noise);
+        let scatter = match fields.together {
+            Some(_) => KnownScatter::Together(depths_mm.iter().map(|_| OnceLock::new()).collect()),
+            None => {
+                let parts = separate(&fields, &depths_mm, &noise);
+                KnownScatter::Each(Products {
+                    coefficients: joined(&parts),
+                    parts,
+                })
+            }
+        };
         Self {
             fields,
             noise,
             alone: OnceLock::new(),
-            coefficients: joined(&parts),
-            parts,
+            scatter,
             depths_mm,
         }
     }
@@ -85,7 +106,8 @@ impl Likelihood {
                 .enumerate()
                 .map(|(law, own)| (Drawn::Only(law), own));
             let of = |(drawn, own): (Drawn, Option<ContactQuantity>)| {
-                let fields = DepthFields::over_contacts(surface.clone(), drawn);
+                let together = self.fields.together.is_some();
+                let fields = DepthFields::over_contacts(surface.clone(), drawn, together);
                 (drawn, own, Self::new(fields, self.noise))
             };
             std::iter::once((Drawn::Nothing, None))

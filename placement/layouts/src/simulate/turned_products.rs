@@ -5,7 +5,7 @@ use std::cell::OnceCell;
 use crate::arrangement::Arrangement;
 use crate::field::separated::Separated;
 use crate::simulate::lanes::{dot, in_lanes};
-use crate::simulate::reading_likelihood::Likelihood;
+use crate::simulate::reading_likelihood::Products;
 
 /// Products' functions at an angle.
 pub(super) struct Functions {
@@ -19,7 +19,7 @@ pub(super) struct Functions {
 
 /// Products' functions of a layout at angles around the wheel, made where they are asked for.
 pub(super) struct TurnedProducts<'l> {
-    pub likelihood: &'l Likelihood,
+    pub own: &'l Products,
     arrangement: Arrangement,
     /// Functions by part of a turn.
     functions: Vec<OnceCell<Functions>>,
@@ -27,9 +27,9 @@ pub(super) struct TurnedProducts<'l> {
 
 impl<'l> TurnedProducts<'l> {
     /// Prepares the functions of a layout at the middles of so many parts of a turn.
-    pub fn new(likelihood: &'l Likelihood, arrangement: &Arrangement, angles: usize) -> Self {
+    pub fn new(own: &'l Products, arrangement: &Arrangement, angles: usize) -> Self {
         Self {
-            likelihood,
+            own,
             arrangement: arrangement.clone(),
             functions: (0..angles).map(|_| OnceCell::new()).collect(),
         }
@@ -48,7 +48,7 @@ impl<'l> TurnedProducts<'l> {
     /// The functions at a part of a turn.
     pub fn at(&self, angle: usize) -> &Functions {
         self.functions[angle].get_or_init(|| {
-            let parts = &self.likelihood.parts;
+            let parts = &self.own.parts;
             let films = |field| at_films(field, &self.arrangement, self.angle_deg(angle));
             let constant = films(&parts.constant);
             let of_films = constant.chunks_exact(self.films());
@@ -62,7 +62,7 @@ impl<'l> TurnedProducts<'l> {
 
     /// Number of the products that are summed, with the zeros behind them.
     pub(super) fn row_len(&self) -> usize {
-        self.likelihood.coefficients.row_len()
+        self.own.coefficients.row_len()
     }
 
     /// Adds the products' functions at a part of a turn, after these readings and their squares, to a list, and the zeros behind them.
@@ -91,13 +91,13 @@ impl<'l> TurnedProducts<'l> {
 
     /// The sum of products, at a part of a depth.
     pub fn log(&self, products: &[f64], depth: usize) -> f64 {
-        in_lanes(self.likelihood.coefficients.row(depth), products)
+        in_lanes(self.own.coefficients.row(depth), products)
     }
 
     /// The part of ln p without readings, at parts of a turn and of a depth.
     pub fn constant(&self, [angle, depth]: [usize; 2]) -> f64 {
         let sums = &self.at(angle).constant;
-        let coefficients = self.likelihood.coefficients.at(depth);
+        let coefficients = self.own.coefficients.at(depth);
         -0.5 * dot(&coefficients[coefficients.len() - sums.len()..], sums)
     }
 }

@@ -77,6 +77,7 @@ pub fn mesh_fields(
         sheared: Vec::new(),
         contacts: None,
         spread: None,
+        together: None,
     };
     let (middle_mm, _) = solved(scenes.middle())
         .map_err(|reason| format!("The load in the middle has no equilibrium: {reason}"))?;

@@ -22,6 +22,7 @@ use crate::points::RunError;
 use crate::points::archive::Outcome;
 use crate::points::{SceneSeries, outcomes_of_all};
 use crate::score::map_slopes::MapSlopes;
+use documents::layouts::contact_laws::Scatter;
 use documents::study::Study;
 use documents::study::plan::Plan;
 use layouts::arrangement::FilmKind;
@@ -142,7 +143,10 @@ pub(crate) fn both_meshes<'s>(
     }
     let contacts = ContactScenes::of(scenes, &study.layouts.contacts);
     let judged = match contacts.filter(|_| answers[0].is_ok()) {
-        Some(contacts) => differ(&mut answers, &contacts, asked, means, &mut place, context)?,
+        Some(contacts) => {
+            let contacts = (&contacts, study.layouts.scatter);
+            differ(&mut answers, contacts, asked, means, &mut place, context)?
+        }
         None => None,
     };
     let fine = answers.remove(0);
@@ -274,7 +278,7 @@ fn drag(
 /// points. A mesh without it has no fields any more: its scores would be those of other contacts.
 fn differ(
     answers: &mut [Result<MeshAnswer, String>],
-    contacts: &ContactScenes<'_>,
+    (contacts, scatter): (&ContactScenes<'_>, Scatter),
     asked: &Asked,
     means: &[f64],
     place: &mut Place,
@@ -306,7 +310,8 @@ fn differ(
             Ok(surface) => {
                 let found = checks.map(|checks| own.findings(&surface, &checks?));
                 findings = findings.or(found);
-                answer.fields.fields = DepthFields::over_contacts(surface, Drawn::All);
+                answer.fields.fields =
+                    DepthFields::over_contacts(surface, Drawn::All, scatter == Scatter::Together);
             }
             Err(reason) => {
                 *slot = Err(format!("Layouts have no scores: {reason}."));

@@ -143,6 +143,7 @@ __all__ = [
     "SweepSummary",
     "TableError",
     "TableReport",
+    "ToldQuantity",
     "TradeAnswer",
     "TradeRow",
     "TrialError",
@@ -1450,6 +1451,9 @@ class Layout:
     contacts: tuple[ContactError, ...] = ()
     """Errors of contacts that differ in nothing and in each quantity of `layouts.contacts` alone, each at the load
     where it is largest; absent where contacts don't differ."""
+    told: tuple[ToldQuantity, ...] = ()
+    """Errors of what films tell of a contact beside angle and force, each at the load where it is largest; absent
+    where contacts don't differ, or an estimate averages over them."""
     loads: tuple[LoadScore, ...]
     """Scores at every load."""
     error_sources: ErrorSources | None = None
@@ -1599,6 +1603,9 @@ class LayoutScore:
     contacts: tuple[ContactError, ...] = ()
     """Errors of contacts that differ in nothing (`noise`) and in each quantity of `layouts.contacts` alone; absent
     where contacts don't differ."""
+    told: tuple[ToldQuantity, ...] = ()
+    """Errors of what films tell of a contact beside angle and force; absent where contacts don't differ, or an
+    estimate averages over them."""
     shear: ShearScore | None = None
     """Score with forces along and across the wheel unknown, too, where that was asked for."""
     noise_strain: float | None = None
@@ -2818,6 +2825,22 @@ class TableReport:
     """Error of the table; None where a load that tests it has no equilibrium."""
     films: FilmAnglesReport | None = None
     """Wheel angles of glued films as an axis; absent for films that resist nothing."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class ToldQuantity:
+    """Error of what films tell of a quantity that contacts differ in."""
+
+    of: str
+    """The quantity, as `layouts.contacts` names it."""
+    words: str
+    """Name for people."""
+    error: float
+    """Error of its estimate, root mean square over contacts, in its own unit."""
+    deviation: float
+    """Standard deviation over contacts: the error where films tell nothing."""
+    known: bool
+    """Whether films tell something of it: the error is at least a tenth less than the deviation."""
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -3,11 +3,12 @@
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
+use document::Choice;
 use document::fault::{Fault, member};
 use document::fields::{Fields, plain};
 use fem_client::scene::Scene;
 
-use crate::layouts::contact_laws::{ContactLaw, ContactQuantity};
+use crate::layouts::contact_laws::{ContactLaw, ContactQuantity, SCATTER, Scatter};
 use crate::layouts::layout_settings::{LayoutLoads, Layouts};
 use crate::layouts::reading::usual_contact::check_usual;
 use crate::parts::distribution_reader::read_distribution;
@@ -15,14 +16,16 @@ use crate::parts::distribution_reader::read_distribution;
 /// Share of the friction up to which a contact may be dragged: beyond it most of it slides.
 const OF_FRICTION: f64 = 0.8;
 
-/// Reads the laws of `[layouts.contacts]`; none without the table.
-pub(super) fn contacts(fields: &Fields<'_>, faults: &mut Vec<Fault>) -> Vec<ContactLaw> {
+/// Reads the laws of `[layouts.contacts]`, and how an estimate takes their scatter; no law without the table.
+pub(super) fn contacts(fields: &Fields<'_>, faults: &mut Vec<Fault>) -> (Vec<ContactLaw>, Scatter) {
+    let nothing = (Vec::new(), Scatter::default());
     let Some((value, pointer)) = fields.get("contacts") else {
-        return Vec::new();
+        return nothing;
     };
-    let known = ContactQuantity::ALL.map(ContactQuantity::as_str);
+    let quantities = ContactQuantity::ALL.map(ContactQuantity::as_str);
+    let known = [&quantities[..], &[SCATTER]].concat();
     let Some(table) = Fields::open(value, &pointer, &known, faults) else {
-        return Vec::new();
+        return nothing;
     };
     let mut law = |quantity: ContactQuantity| {
         let (value, at) = table.get(quantity.as_str())?;
@@ -34,11 +37,15 @@ pub(super) fn contacts(fields: &Fields<'_>, faults: &mut Vec<Fault>) -> Vec<Cont
         .into_iter()
         .filter_map(&mut law)
         .collect();
-    if !known.into_iter().any(|name| table.get(name).is_some()) {
-        let detail = format!("must have a law of {}; it is empty", known.join(", "));
+    if !quantities.into_iter().any(|name| table.get(name).is_some()) {
+        let detail = format!("must have a law of {}; it has none", quantities.join(", "));
         Fault::add(faults, &pointer, detail);
     }
-    laws
+    let scatter = match table.get(SCATTER) {
+        Some(_) => table.choice(SCATTER, Scatter::CHOICES, Scatter::default(), faults),
+        None => None,
+    };
+    (laws, scatter.unwrap_or_default())
 }
 
 fn check_range(law: &ContactLaw, at: &str, faults: &mut Vec<Fault>) -> bool {
@@ -103,19 +110,38 @@ pub(super) fn check_contacts(
 mod tests {
     use document::Format;
 
+    use super::*;
     use crate::study::Study;
 
-    fn faults(contacts: &str, rest: &str) -> String {
+    fn read(contacts: &str, rest: &str) -> Result<Study, Vec<Fault>> {
         let text = format!(
             "name = \"contacts\"\nscene = {{ preset = \"foot-tire\", contact = {{ friction = 0.5 }} }}\n[[inputs]]\nname = \"p\"\nvary = \"pressure.internal_mpa\"\ndistribution = {{ kind = \"uniform\", min = 0.01, max = 0.02 }}\n[layouts]\nunits = [6]\n{rest}\n[layouts.contacts]\n{contacts}"
         );
-        match Study::from_document(&text, Format::Toml, &|path| Err(path.to_owned())) {
+        Study::from_document(&text, Format::Toml, &|path| Err(path.to_owned()))
+    }
+
+    fn faults(contacts: &str, rest: &str) -> String {
+        match read(contacts, rest) {
             Ok(_) => String::new(),
             Err(faults) => faults
                 .iter()
                 .map(|fault| format!("{}: {}\n", fault.pointer, fault.detail))
                 .collect(),
         }
+    }
+
+    #[test]
+    fn scatter_is_read_and_written_where_it_is_averaged_over() {
+        let camber = "camber_deg = { kind = \"uniform\", min = -5, max = 5 }";
+        let together = read(camber, "depths_mm = [1]").expect("reads");
+        assert_eq!(together.layouts.scatter, Scatter::Together);
+        assert!(!together.canonical().contains("scatter"));
+        let each =
+            read(&format!("{camber}\nscatter = \"each\""), "depths_mm = [1]").expect("reads");
+        assert_eq!(each.layouts.scatter, Scatter::Each);
+        let again = Study::from_canonical(&each.canonical()).expect("reads what it wrote");
+        assert_eq!(again.canonical(), each.canonical());
+        assert_eq!(again.layouts.scatter, Scatter::Each);
     }
 
     #[test]
@@ -149,6 +175,16 @@ mod tests {
                 "/layouts/contacts: and layouts.shear are two models",
             ),
             (even("wind", -0.3, 0.3), "", "/layouts/contacts/wind"),
+            (
+                format!("{}\nscatter = \"apart\"", even("camber_deg", -5.0, 5.0)),
+                "",
+                "/layouts/contacts/scatter: must be \"together\" or \"each\"",
+            ),
+            (
+                "scatter = \"each\"".to_owned(),
+                "",
+                "/layouts/contacts: must have a law of camber_deg, traction",
+            ),
             (
                 String::new(),
                 "",

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use document::visible::visible;
-use results::{RankedLayout, StudyResult};
+use results::{RankedLayout, StudyResult, ToldQuantity};
 
 use crate::cli::terminal::paint::{FAINT, HEADER, painted};
 use crate::cli::terminal::report::layout_table::{NAMED, described};
@@ -21,6 +21,7 @@ pub(super) fn contacts(result: &StudyResult) -> String {
     let answers = answer.and_then(|answer| result.layout_of_rank(answer.layout.as_ref()?.rank));
     if let Some(layout) = answers.or(result.layouts.first()) {
         text.push_str(&by_quantity(layout));
+        text.push_str(&told(layout));
     }
     let surface = format!(
         "Signals of contacts are off by {:.1} % of the crown's largest, root mean square, and by {:.0} % at most; forces by {:.2} N: at {} contacts of all at once, which they weren't made from.",
@@ -35,6 +36,31 @@ pub(super) fn contacts(result: &StudyResult) -> String {
         text.push_str(&painted(FAINT, wrapped(&visible(&short), 0)));
     }
     text
+}
+
+/// Errors of what the films tell of the contact beside angle and force; nothing where an estimate averages over it.
+fn told(layout: &RankedLayout) -> String {
+    let known = |own: &ToldQuantity| {
+        let words = visible(&own.words).to_string();
+        match own.known {
+            true => format!("{words} to {:.2} of {:.2}", own.error, own.deviation),
+            false => format!(
+                "nothing of {words} ({:.2} of {:.2})",
+                own.error, own.deviation
+            ),
+        }
+    };
+    let all: Vec<String> = layout.told.iter().map(known).collect();
+    match all.is_empty() {
+        true => String::new(),
+        false => wrapped(
+            &format!(
+                "They tell, root mean square of deviation: {}.",
+                all.join(", ")
+            ),
+            0,
+        ),
+    }
 }
 
 fn by_quantity(layout: &RankedLayout) -> String {

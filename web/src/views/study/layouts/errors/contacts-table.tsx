@@ -1,5 +1,5 @@
 import { layoutWords, short } from "../../../../lib/layouts/layout-words.ts";
-import type { ContactFindings, RankedLayout } from "../../../../wire.ts";
+import type { ContactFindings, RankedLayout, ToldQuantity } from "../../../../wire.ts";
 import { ScrollTable, words } from "../../../shared/scroll-table.tsx";
 import { ErrorRow } from "./error-row.tsx";
 
@@ -23,6 +23,7 @@ export function ContactsTable({ layout, contacts }: { layout: RankedLayout | und
           <ErrorRow of="all of it" angle={layout.score.simulated_p95_angle_error_deg} force={layout.worst_force?.error_n} />
         </tbody>
       </ScrollTable>
+      <ToldQuantities told={layout.told ?? []} />
       <p class="quiet">
         Each at the load where it is worst. Errors are over {contacts.laws.join(", ")}; the estimate knows their laws, not their values. Signals of contacts
         come from few solves: they are off by {short(100 * contacts.signal_error_rms)} % of the crown's largest, root mean square, and by{" "}
@@ -30,5 +31,24 @@ export function ContactsTable({ layout, contacts }: { layout: RankedLayout | und
         {(contacts.short ?? []).map((each) => ` Drawn no further than could be solved: ${each}.`)}
       </p>
     </>
+  );
+}
+
+/** What films tell of a contact beside angle and force. */
+function ToldQuantities({ told }: { told: readonly ToldQuantity[] }) {
+  if (told.length === 0) return null;
+  return (
+    <ScrollTable name="What films tell of contacts" columns={[words("Films tell of"), "Error, rms", "Deviation", words("So")]}>
+      <tbody>
+        {told.map((own) => (
+          <tr key={own.of}>
+            <th scope="row">{own.words}</th>
+            <td>{short(own.error)}</td>
+            <td>{short(own.deviation)}</td>
+            <td class="words">{own.known ? "known" : "can't be told"}</td>
+          </tr>
+        ))}
+      </tbody>
+    </ScrollTable>
   );
 }
