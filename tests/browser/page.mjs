@@ -19,8 +19,16 @@ const FLAGS = [
 /** Draws WebGL by software, as machines without a graphics card do. */
 export const SOFTWARE_WEBGL = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
 
+/** A browser. Chromium sometimes crashes as it begins, which says nothing of the page: it is begun once more. */
 export async function openBrowser(flags = []) {
-  return chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: [...FLAGS, ...flags] });
+  const options = { executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: [...FLAGS, ...flags] };
+  try {
+    return await chromium.launch(options);
+  } catch (error) {
+    if (!error.message.includes("signal=SIGSEGV")) throw error;
+    console.log("# the browser crashed as it began, and is begun once more");
+    return chromium.launch(options);
+  }
 }
 
 /** A page with `requests` (addresses) and `complaints` (console errors, exceptions, refusals of the policy). */

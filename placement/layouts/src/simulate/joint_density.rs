@@ -22,7 +22,7 @@ pub(super) struct JointDensity<'l> {
     arrangement: Arrangement,
     grid: PosteriorGrid,
     cells: CellWeights,
-    /// Covariances at points that were looked at.
+    /// Covariances at points that were looked at with the last rows of readings.
     points: RefCell<HashMap<[usize; 2], Rc<JointScatter>>>,
 }
 
@@ -78,6 +78,8 @@ impl Density for JointDensity<'_> {
     }
 
     fn logs(&self, readings: &Array2<f64>) -> Array2<f64> {
+        // Readings of another contact look elsewhere: what is kept stays small.
+        self.points.borrow_mut().clear();
         self.cells.logs(readings)
     }
 
