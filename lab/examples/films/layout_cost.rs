@@ -119,5 +119,6 @@ fn fields() -> DepthFields {
         contacts: None,
         spread: None,
         together: None,
+        surface_error: None,
     }
 }

@@ -122,6 +122,7 @@ mod tests {
             contacts: None,
             spread: None,
             together: None,
+            surface_error: None,
         }
     }
 

@@ -27,6 +27,17 @@ pub struct DepthFields {
     pub spread: Option<Vec<Vec<Vec<f64>>>>,
     /// Quantities whose scatter an estimate knows of all films together; none: it takes each film's for its own.
     pub together: Option<Drawn>,
+    /// Error of the surface over contacts; none where it isn't known, or contacts don't differ.
+    pub surface_error: Option<SurfaceError>,
+}
+
+/// Error of a response surface at contacts that it wasn't made from, root mean square.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SurfaceError {
+    /// Error of a signal near the contact at the largest load, in its unit.
+    pub signal: f64,
+    /// Error of the vertical force, N.
+    pub force_n: f64,
 }
 
 /// Changes with a small shift of the ground at one load.
@@ -111,6 +122,7 @@ impl DepthFields {
             contacts: Some(surface),
             spread: Some(spread),
             together: together.then_some(drawn),
+            surface_error: None,
         }
     }
 

@@ -191,6 +191,7 @@ pub(crate) mod tests {
             contacts: None,
             spread: None,
             together: None,
+            surface_error: None,
         }
     }
 

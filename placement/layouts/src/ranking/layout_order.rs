@@ -33,7 +33,7 @@ const SIMULATED: [Figure; 3] = [
     |score| score.force_error_n,
 ];
 
-/// A layout's scores at all loads: those of its mesh, with the errors that a coarser one shows.
+/// A layout's scores at all loads: those of its mesh, with the errors that a coarser one shows, and those that they have by the surface over contacts.
 pub fn with_scores(
     mut label: RankedLayout,
     loads: &[LayoutLoad],
@@ -107,9 +107,16 @@ fn error(
         fine.simulated_p95_angle_error_deg_se,
         fine.force_error_n_se,
     ];
+    let surface = fine.error.unwrap_or_default();
+    let of_surface = [
+        surface.simulated_rms_angle_error_deg,
+        surface.simulated_p95_angle_error_deg,
+        surface.force_error_n,
+    ];
     let simulated: [Option<f64>; 3] = std::array::from_fn(|k| {
         let of_mesh = of_mesh(SIMULATED[k], of_simulated)?;
-        Some(of_mesh.hypot(DEVIATIONS * standard_errors[k]?))
+        let of_chance = DEVIATIONS * standard_errors[k]?;
+        Some(of_mesh.hypot(of_chance).hypot(of_surface[k].unwrap_or(0.0)))
     });
     LayoutError {
         worst_angle_error_deg: bounds[0],
@@ -401,7 +408,11 @@ mod tests {
             simulated_p95_angle_error_deg_se: Some(se),
             ..LayoutScore::default()
         };
-        let fine = vec![of(5.0, 0.1), of(9.0, 0.3)];
+        let mut fine = vec![of(5.0, 0.1), of(9.0, 0.3)];
+        fine[0].error = Some(LayoutError {
+            simulated_p95_angle_error_deg: Some(0.7),
+            ..LayoutError::default()
+        });
         let coarse = vec![of(5.5, 0.1), of(10.0, 0.3)];
         let coarser = Coarser {
             level: Level::Coarse,
@@ -426,7 +437,9 @@ mod tests {
         let error = at_other
             .and_then(|error| error.simulated_p95_angle_error_deg)
             .expect("an error");
-        assert!((error - (2.0 * 0.1 * 5.0f64).hypot(0.2)).abs() < 1e-12);
+        // The surface's error comes on top.
+        let expected = (2.0 * 0.1 * 5.0f64).hypot(0.2).hypot(0.7);
+        assert!((error - expected).abs() < 1e-12);
         assert_eq!(
             found.doubt.as_deref(),
             Some("may be off: the simulated 95th percentile by 21 %")

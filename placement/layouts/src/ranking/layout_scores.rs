@@ -3,20 +3,17 @@
 use std::collections::BTreeMap;
 
 use crate::arrangement::{Arrangement, LaidFilm};
-use crate::field::film_field::{DepthFields, LoadField, Noise};
+use crate::field::film_field::{DepthFields, LoadField, Noise, SurfaceError};
 use crate::field::response_surface::Drawn;
 use crate::fisher::bounds::{bayes_angle_deg, bounds, weakest_signal};
+use crate::ranking::contact_scores::{of_surface, told};
 use crate::ranking::shear_score::shear;
 use crate::simulate::alike::alike;
 use crate::simulate::drawn_contacts::TrueContact;
 use crate::simulate::draws::Draws;
 use crate::simulate::reading_likelihood::Likelihood;
-use crate::simulate::simulation::{Simulated, ToldError, simulate, simulate_unknown};
-use documents::layouts::contact_laws::ContactQuantity;
-use results::{ContactError, DeadFilm, LayoutScore, ToldQuantity};
-
-/// Error of a quantity over its deviation below which films tell something of it.
-const KNOWN: f64 = 0.9;
+use crate::simulate::simulation::{Simulated, simulate, simulate_unknown};
+use results::{ContactError, DeadFilm, LayoutScore};
 
 /// Largest simulated errors of a layout over the loads, with their standard errors by the number of samples.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -36,6 +33,9 @@ pub struct Scorer {
     noise: Noise,
     /// Likelihoods by the kinds of film that a layout has.
     likelihoods: BTreeMap<Vec<usize>, Likelihood>,
+    /// Likelihoods with the error of the surface over contacts as further noise; none where it isn't known.
+    off_surface: BTreeMap<Vec<usize>, Likelihood>,
+    surface_error: Option<SurfaceError>,
     depths_mm: Vec<f64>,
     draws: Draws,
     dead: bool,
@@ -51,15 +51,29 @@ impl Scorer {
         draws: Draws,
         dead: bool,
     ) -> Self {
-        let mut likelihoods = BTreeMap::new();
+        let with_noise =
+            |noise: Noise| move |kinds: &Vec<usize>| Likelihood::new(fields.of_kinds(kinds), noise);
+        let surface_error = fields.surface_error;
+        let noisier = surface_error.map(|error| Noise {
+            floor: noise.floor.hypot(error.signal),
+            ..noise
+        });
+        let (mut likelihoods, mut off_surface) = (BTreeMap::new(), BTreeMap::new());
         for layout in layouts {
-            let of_kinds = |kinds: &Vec<usize>| Likelihood::new(fields.of_kinds(kinds), noise);
             let kinds = kinds_of(layout);
-            likelihoods.entry(kinds).or_insert_with_key(of_kinds);
+            if let Some(noisier) = noisier {
+                let off = off_surface.entry(kinds.clone());
+                off.or_insert_with_key(with_noise(noisier));
+            }
+            likelihoods
+                .entry(kinds)
+                .or_insert_with_key(with_noise(noise));
         }
         Self {
             noise,
             likelihoods,
+            off_surface,
+            surface_error,
             depths_mm,
             draws,
             dead,
@@ -126,7 +140,17 @@ impl Scorer {
         let at = |(depth, simulated): (&f64, &Simulated)| {
             self.score(likelihood.fields(), *depth, &own, simulated)
         };
-        self.depths_mm.iter().zip(&simulated).map(at).collect()
+        let scores = self.depths_mm.iter().zip(&simulated).map(at);
+        let mut scores: Vec<LayoutScore> = scores.collect();
+        if let Some(error) = self.surface_error {
+            let likelihood = &self.off_surface[&kinds_of(arrangement)];
+            let off = simulate(likelihood, &self.depths_mm, &own, &self.draws, Drawn::All);
+            for ((score, off), depth) in scores.iter_mut().zip(&off).zip(&self.depths_mm) {
+                let slope = likelihood.field(*depth).force_slope.abs();
+                score.error = Some(of_surface(score, off, (slope, error.force_n)));
+            }
+        }
+        scores
     }
 
     /// Largest errors over the depths: as assumed, or of contacts that an estimate takes for those of the depths.
@@ -265,22 +289,6 @@ impl Scorer {
     }
 }
 
-/// Errors of what films tell of the quantities that contacts differ in.
-fn told(fields: &DepthFields, simulated: &Simulated) -> Vec<ToldQuantity> {
-    let laws = fields.contacts.iter().flat_map(|surface| {
-        let told = surface.told().into_iter();
-        told.map(|law| surface.laws()[law].quantity)
-    });
-    let of = |(quantity, own): (ContactQuantity, &ToldError)| ToldQuantity {
-        of: quantity.as_str().to_owned(),
-        words: quantity.words().to_owned(),
-        error: own.rms,
-        deviation: own.deviation,
-        known: own.rms < KNOWN * own.deviation,
-    };
-    laws.zip(&simulated.told).map(of).collect()
-}
-
 /// A layout's bounds at each depth, with nothing simulated: a thousandth of the work.
 pub fn bounds_alone(
     fields: &DepthFields,
@@ -373,6 +381,37 @@ mod tests {
         assert!(
             (both[0].force_error_n.expect("a force") / force.expect("a depth") - 1.0).abs() < 1e-9
         );
+    }
+
+    /// A surface that is off by three quarters of the noise adds a quarter to it: to errors as well, as they are in proportion to it.
+    #[test]
+    fn a_surface_that_is_off_adds_its_error_to_the_noise() {
+        let layout = Arrangement::regular(24, &[0, 1], false);
+        let scores = |surface_error| {
+            let fields = DepthFields {
+                surface_error,
+                ..gaussian(14.0)
+            };
+            let layouts = std::iter::once(&layout);
+            let draws = Draws::new(1, SAMPLES, 48);
+            Scorer::new(&fields, NOISE, vec![1.0], layouts, draws, false)
+                .figures(&layout)
+                .swap_remove(0)
+        };
+        assert_eq!(scores(None).error, None);
+        let off = SurfaceError {
+            signal: 0.75 * NOISE.floor,
+            force_n: 0.4,
+        };
+        let score = scores(Some(off));
+        let error = score.error.expect("of the surface");
+        let rms = score.simulated_rms_angle_error_deg.expect("simulated");
+        let added = error.simulated_rms_angle_error_deg.expect("of the surface");
+        assert!((added / rms - 0.25).abs() < 0.02, "{added} {rms}");
+        let force = score.force_error_n.expect("simulated");
+        let expected = (1.25 * force).hypot(0.4) - force;
+        let added = error.force_error_n.expect("of the surface");
+        assert!((added / expected - 1.0).abs() < 0.05, "{added} {expected}");
     }
 
     #[test]

@@ -14,6 +14,9 @@ use crate::simulate::posterior_grid::PosteriorGrid;
 use crate::simulate::reading_density::Density;
 use crate::simulate::reading_likelihood::Likelihood;
 
+/// Covariances that are kept when the next readings come: 60 MB of 48 films.
+const MOST_KEPT: usize = 8192;
+
 /// Density of one layout.
 pub(super) struct JointDensity<'l> {
     likelihood: &'l Likelihood,
@@ -22,7 +25,7 @@ pub(super) struct JointDensity<'l> {
     arrangement: Arrangement,
     grid: PosteriorGrid,
     cells: CellWeights,
-    /// Covariances at points that were looked at with the last rows of readings.
+    /// Covariances at points that were looked at: contacts near one another look at much the same.
     points: RefCell<HashMap<[usize; 2], Rc<JointScatter>>>,
 }
 
@@ -78,8 +81,10 @@ impl Density for JointDensity<'_> {
     }
 
     fn logs(&self, readings: &Array2<f64>) -> Array2<f64> {
-        // Readings of another contact look elsewhere: what is kept stays small.
-        self.points.borrow_mut().clear();
+        let mut points = self.points.borrow_mut();
+        if points.len() > MOST_KEPT {
+            points.clear();
+        }
         self.cells.logs(readings)
     }
 

@@ -100,25 +100,29 @@ fn estimated(
     arrangement: &Arrangement,
     draws: &Draws,
 ) -> Vec<Simulated> {
-    let depths_mm = &likelihood.depths_mm;
     match &likelihood.scatter {
         KnownScatter::Each(products) => {
             let density = SeparatedDensity::new(likelihood, products, arrangement);
-            let estimator = Estimator::new(density, depths_mm);
-            let at = |at: (f64, DrawnContacts)| {
-                simulate_at(&at, (&estimator, likelihood), arrangement, draws)
-            };
-            contacts.map(at).collect()
+            by_density(density, likelihood, contacts, arrangement, draws)
         }
         KnownScatter::Together(fields) => {
             let density = JointDensity::new(likelihood, fields, arrangement);
-            let estimator = Estimator::new(density, depths_mm);
-            let at = |at: (f64, DrawnContacts)| {
-                simulate_at(&at, (&estimator, likelihood), arrangement, draws)
-            };
-            contacts.map(at).collect()
+            by_density(density, likelihood, contacts, arrangement, draws)
         }
     }
+}
+
+fn by_density<D: Density>(
+    density: D,
+    likelihood: &Likelihood,
+    contacts: impl Iterator<Item = (f64, DrawnContacts)>,
+    arrangement: &Arrangement,
+    draws: &Draws,
+) -> Vec<Simulated> {
+    let estimator = Estimator::new(density, &likelihood.depths_mm);
+    contacts
+        .map(|at| simulate_at(&at, (&estimator, likelihood), arrangement, draws))
+        .collect()
 }
 
 /// Errors of simulated estimates, contact after contact.

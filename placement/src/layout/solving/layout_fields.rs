@@ -6,8 +6,9 @@ use crate::layout::solving::layout_scenes::{LayoutScenes, readout};
 use crate::points::archive::Outcome;
 use crate::score::quantity::around;
 use layouts::arrangement::FilmKind;
-use layouts::field::film_field::DepthFields;
+use layouts::field::film_field::{DepthFields, SurfaceError};
 use layouts::field::hermite::{DEGREES, Nodes, Turn};
+use results::ContactFindings;
 
 /// Depths nearer than this are one, mm.
 const SAME_DEPTH_MM: f64 = 1e-6;
@@ -78,6 +79,7 @@ pub fn mesh_fields(
         contacts: None,
         spread: None,
         together: None,
+        surface_error: None,
     };
     let (middle_mm, _) = solved(scenes.middle())
         .map_err(|reason| format!("The load in the middle has no equilibrium: {reason}"))?;
@@ -103,14 +105,27 @@ impl MeshFields {
     /// # Errors
     /// The crown feels nothing.
     pub(crate) fn crown_signal(&self) -> Result<f64, String> {
-        let at_middle = self.fields.at(self.middle_mm);
-        let crown = at_middle.kinds[..2]
-            .iter()
-            .flat_map(|kind| kind.signal.samples());
-        let crown = crown.fold(0.0, |largest: f64, signal| largest.max(signal.abs()));
+        let crown = self.crown_at(self.middle_mm);
         match crown > 0.0 {
             true => Ok(crown),
             false => Err("The crown feels nothing, so that layouts have no scores.".to_owned()),
+        }
+    }
+
+    /// The crown's largest signal at a depth, mm.
+    fn crown_at(&self, depth_mm: f64) -> f64 {
+        let field = self.fields.at(depth_mm);
+        let crown = field.kinds[..2].iter();
+        let signals = crown.flat_map(|kind| kind.signal.samples());
+        signals.fold(0.0, |largest: f64, signal| largest.max(signal.abs()))
+    }
+
+    /// Error of a surface over contacts beside this field, of which shares are known.
+    pub(crate) fn surface_error(&self, found: &ContactFindings) -> SurfaceError {
+        let deepest = self.depths().into_iter().fold(0.0, f64::max);
+        SurfaceError {
+            signal: found.signal_error_rms * self.crown_at(deepest),
+            force_n: found.force_error_n,
         }
     }
 }

@@ -309,9 +309,15 @@ fn differ(
         match of_axes.and_then(|of_axes| own.surface(&of_axes)) {
             Ok(surface) => {
                 let found = checks.map(|checks| own.findings(&surface, &checks?));
+                let surface_error = match &found {
+                    Some(Ok(found)) => Some(answer.fields.surface_error(found)),
+                    _ => None,
+                };
                 findings = findings.or(found);
-                answer.fields.fields =
-                    DepthFields::over_contacts(surface, Drawn::All, scatter == Scatter::Together);
+                answer.fields.fields = DepthFields {
+                    surface_error,
+                    ..DepthFields::over_contacts(surface, Drawn::All, scatter == Scatter::Together)
+                };
             }
             Err(reason) => {
                 *slot = Err(format!("Layouts have no scores: {reason}."));
