@@ -78,6 +78,15 @@ impl JointScatter {
         }
     }
 
+    /// Distances of readings from their means.
+    fn off(&self, readings: &[f64]) -> Vec<f64> {
+        readings
+            .iter()
+            .zip(&self.means)
+            .map(|(y, h)| y - h)
+            .collect()
+    }
+
     /// B r for readings off their means.
     fn scores(&self, off: &[f64]) -> Vec<f64> {
         self.whitened.iter().map(|row| dot(row, off)).collect()
@@ -85,29 +94,19 @@ impl JointScatter {
 
     /// Logarithm of the density of readings, but for a constant.
     pub fn log(&self, readings: &[f64]) -> f64 {
-        let mut noise = 0.0;
-        let off = |((y, h), d): ((&f64, &f64), &f64)| {
-            noise += (y - h) * (y - h) / d;
-            y - h
-        };
-        let off: Vec<f64> = readings
+        let off = self.off(readings);
+        let noise: f64 = off
             .iter()
-            .zip(&self.means)
             .zip(&self.variances)
-            .map(off)
-            .collect();
+            .map(|(r, d)| r * r / d)
+            .sum();
         let modes: f64 = self.scores(&off).iter().map(|score| score * score).sum();
         -0.5 * (noise - modes + self.log_determinant)
     }
 
     /// Means after readings of the numbers that go with the modes.
     pub fn told(&self, readings: &[f64]) -> Vec<f64> {
-        let off: Vec<f64> = readings
-            .iter()
-            .zip(&self.means)
-            .map(|(y, h)| y - h)
-            .collect();
-        let scores = self.scores(&off);
+        let scores = self.scores(&self.off(readings));
         let told = self.told.iter();
         told.map(|(mean, factors)| mean + dot(factors, &scores))
             .collect()
@@ -133,10 +132,9 @@ fn factor(modes: &[Vec<f64>], over_variances: &[Vec<f64>]) -> Vec<Vec<f64>> {
     for (i, mode) in modes.iter().enumerate() {
         let mut row = Vec::with_capacity(i + 1);
         for (j, other) in over_variances.iter().enumerate().take(i + 1) {
-            let unit = if i == j { 1.0 } else { 0.0 };
             let before = |own: &[f64]| dot(&own[..j], &row[..j]);
             let entry = if i == j {
-                (unit + dot(mode, other) - before(&row)).sqrt()
+                (1.0 + dot(mode, other) - before(&row)).sqrt()
             } else {
                 (dot(mode, other) - before(&factor[j])) / factor[j][j]
             };
