@@ -20,6 +20,9 @@ use layouts::arrangement::FilmKind;
 use layouts::field::hermite::Turn;
 use layouts::simulate::drawn_contacts::TrueContact;
 
+/// Layouts that are compared with the one that answers.
+pub(super) const OTHERS: usize = 2;
+
 /// All that is solved for changed assumptions of a study's layouts.
 pub(crate) fn assumption_series(study: &Study, plan: &Plan) -> Vec<SceneSeries> {
     let changes = Changed::of_scene(&study.layouts, &plan.points[0]);
@@ -30,6 +33,18 @@ pub(crate) fn assumption_series(study: &Study, plan: &Plan) -> Vec<SceneSeries> 
         }
         _ => Vec::new(),
     }
+}
+
+/// Returns how often a layout is scored at a load with an assumption changed, where every layout keeps it.
+pub(crate) fn changed_scorings(study: &Study, plan: &Plan) -> usize {
+    if !study.layouts.is_asked() {
+        return 0;
+    }
+    let scene = &plan.points[0];
+    let loads = LayoutScenes::of(&study.layouts, scene).map_or(0, |scenes| scenes.loads.len());
+    let of_scene = Changed::of_scene(&study.layouts, scene);
+    let changes = Changed::of_readings(&study.layouts).len() + of_scene.len();
+    changes * loads * Asked::of(study).layouts.len().min(1 + OTHERS)
 }
 
 /// A series for each load of layouts on a level: the scene as assumed, then each change of it.

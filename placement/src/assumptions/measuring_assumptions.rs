@@ -2,7 +2,7 @@
 
 use super::changed::Changed;
 use super::changed_errors::Compared;
-use super::changed_scenes::{contacts, series};
+use super::changed_scenes::{OTHERS, contacts, series};
 use crate::answer::{Figures, contenders};
 use crate::layout::solving::judged_layouts::noise;
 use crate::layout::solving::measuring_layouts::ScoredLayouts;
@@ -13,9 +13,6 @@ use documents::study::plan::Plan;
 use layouts::arrangement::Arrangement;
 use layouts::simulate::drawn_contacts::TrueContact;
 use results::{AssumptionChange, AssumptionFindings, RankedLayout, StudyResult};
-
-/// Layouts that are compared with the one that answers.
-const OTHERS: usize = 2;
 
 /// Fills in what the figures of the layout that answers rest on. The points have ordinals from `first` on.
 ///

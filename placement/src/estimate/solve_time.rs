@@ -302,6 +302,15 @@ impl Machine {
         *self.factors.get(kind).unwrap_or(&self.overall)
     }
 
+    /// Returns how many times as long as on the machine of the law anything else than a solve takes: as the solves that are least off it, as others may be long for what they press.
+    pub(super) fn slowness(&self) -> f64 {
+        self.factors
+            .values()
+            .copied()
+            .reduce(f64::min)
+            .unwrap_or(1.0)
+    }
+
     /// Expected wall-clock time of a solve, s.
     pub(crate) fn solve_s(&self, task: &Task) -> f64 {
         task.law_s() * self.factor(&task.kind())
@@ -421,6 +430,7 @@ mod tests {
         assert!((ratio(&machine, Level::Standard, How::Cut) - 3.0).abs() < 1e-12);
         // Of 2, 3, 4 and 90 the upper of the middle two.
         assert!((ratio(&machine, Level::Draft, How::Near) - 4.0).abs() < 1e-12);
+        assert!((machine.slowness() - 3.0).abs() < 1e-12);
         // What no cut point explains is of unknown kind, and says nothing.
         samples.retain(|sample| !sample.cut);
         assert_eq!(

@@ -9,13 +9,14 @@ use fem_client::solver::{Readout, Solver};
 use gsa::method::{Kind, Method};
 
 use super::solve_time::{How, Task, mirror_class, tire};
-use crate::assumptions::changed_scenes::assumption_series;
+use crate::assumptions::changed_scenes::{assumption_series, changed_scorings};
 use crate::ladder::fidelity::Fidelity;
 use crate::layout::solving::layout_workload::{largest_layout, layout_series, scorings, searched};
 use crate::layout::solving::study_layouts::Asked;
 use crate::points::{SceneSeries, Starts, keys};
 use crate::response_table::study_table::StudyTable;
 use crate::signals::measuring::signal_series;
+use documents::layouts::contact_laws::Scatter;
 use documents::study::plan::{Plan, PlanError, PlannedStudy};
 use documents::study::{Accuracy, Study};
 
@@ -63,8 +64,10 @@ pub(crate) struct Stage {
     pub layouts: Vec<Vec<Point>>,
     /// Points of a rig's tables.
     pub tables: Vec<Vec<Point>>,
-    /// Number of times that a layout is scored at a load on a mesh.
+    /// Number of times that a layout is scored at a load on a mesh, as assumed or with an assumption changed.
     pub scorings: usize,
+    /// Scatter of contacts as scores take it, where they differ.
+    pub scatter: Option<Scatter>,
     /// Layouts that a search looks at by each criterion, and its places.
     pub searched: (f64, usize),
     /// Layouts whose forces are learnt from a rig's runs.
@@ -233,10 +236,11 @@ impl Workload {
                 layouts,
                 tables,
                 scorings: if is_first {
-                    scorings(study, &planned.plan, solver)
+                    scorings(study, &planned.plan, solver) + changed_scorings(study, &planned.plan)
                 } else {
                     0
                 },
+                scatter: (!study.layouts.contacts.is_empty()).then_some(study.layouts.scatter),
                 searched: match is_first {
                     true => searched(study),
                     false => (0.0, 0),
