@@ -1,9 +1,10 @@
 //! The paths to a scene's place on the ground: the inflated tire is pressed, then the ground may be dragged.
 
+use fem::newton::iteration::LargestStep;
 use fem::problem::{Loads, State};
-use fem_client::scene::Scene;
+use fem_client::scene::{Level, Scene};
 
-use crate::model::{DRAG_STEPS, FRICTION_STEPS, load_step};
+use crate::model::{drag_steps, load_step, press_steps};
 
 /// A part of a path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -24,11 +25,11 @@ pub(crate) struct GroundPath<'w> {
 }
 
 impl Leg {
-    /// Load steps that friction needs.
-    pub(crate) fn friction_steps(self) -> usize {
+    /// Largest load step that friction allows.
+    pub(crate) fn friction_step(self, level: Level) -> LargestStep {
         match self {
-            Self::Pressing => FRICTION_STEPS,
-            Self::Dragging => DRAG_STEPS,
+            Self::Pressing => LargestStep::OfRoot(1.0 / press_steps(level) as f64),
+            Self::Dragging => LargestStep::Even(1.0 / drag_steps(level) as f64),
         }
     }
 

@@ -83,7 +83,7 @@ impl Session<'_> {
     /// All of a path.
     fn go(&mut self, path: &GroundPath<'_>) -> Result<(State, PathReport), SolveError> {
         if self.scene.contact.friction > 0.0 {
-            self.newton.settings.largest_load_step = 1.0 / path.leg.friction_steps() as f64;
+            self.newton.settings.largest_load_step = path.leg.friction_step(self.scene.model.level);
         }
         let mut state = path.begin.clone();
         let found = match self.follow(&mut state, path.start, path.target, Stability::Ignored) {

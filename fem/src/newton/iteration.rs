@@ -27,7 +27,7 @@ mod renewal;
 mod report;
 mod steps;
 
-pub use report::{Cause, Converged, Effort, NewtonSettings, NotConverged};
+pub use report::{Cause, Converged, Effort, LargestStep, NewtonSettings, NotConverged};
 
 /// Newton's method for one problem, with all its memory.
 #[derive(Debug)]

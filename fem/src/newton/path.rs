@@ -86,13 +86,18 @@ pub fn follow(
         steps: Vec::new(),
         cut_backs: 0,
     };
-    let (mut reached, mut step) = (0.0, newton.settings.largest_load_step);
+    let largest = newton.settings.largest_load_step;
+    // The share that is tried of the largest step, and the one below which nothing is.
+    let (mut share, smallest) = (1.0, newton.settings.smallest_load_step / largest.at(1.0));
+    let mut reached = 0.0;
     let (mut cut, mut losses, before) = (false, 0, newton.effort.iterations);
     if let Err(failure) = begin(newton, state, start, target) {
         let loads = start.clone();
+        let step = largest.at(0.0);
         return Err(Box::new(PathFailure::new(reached, loads, step, 0, failure)));
     }
     while reached < 1.0 {
+        let step = share * largest.at(reached);
         let next = f64::min(reached + step, 1.0);
         let mut trial = state.clone();
         let loads = start.towards(target, next);
@@ -105,7 +110,7 @@ pub fn follow(
                 watch.reached(reached);
                 // A step that has just been cut back is kept once, or it would fail again at once.
                 if !std::mem::take(&mut cut) {
-                    step = f64::min(2.0 * step, newton.settings.largest_load_step);
+                    share = f64::min(2.0 * share, 1.0);
                 }
                 report.steps.push(converged.history);
             }
@@ -113,19 +118,19 @@ pub fn follow(
                 let failure = refused(attempt);
                 losses += usize::from(failure.indefinite);
                 let spent = newton.effort.iterations - before;
-                let smallest = step * CUT_BACK < newton.settings.smallest_load_step;
-                if smallest || spent > MOST_ITERATIONS || failure.cause == Cause::Stopped {
+                let is_last = share * CUT_BACK < smallest;
+                if is_last || spent > MOST_ITERATIONS || failure.cause == Cause::Stopped {
                     let loads = start.towards(target, reached);
                     return Err(Box::new(PathFailure::new(
                         reached, loads, step, losses, failure,
                     )));
                 }
-                step *= CUT_BACK;
+                share *= CUT_BACK;
                 cut = true;
                 report.cut_backs += 1;
                 if spent > MANY_ITERATIONS {
                     // A look at what is near, which says why the path may end here.
-                    step = newton.settings.smallest_load_step;
+                    share = smallest;
                 }
             }
         }

@@ -8,7 +8,7 @@ use fem::cell::element::Order;
 use fem::load::contact::{ContactSurface, Penalty};
 use fem::load::friction::Friction;
 use fem::load::obstacle::HeightField;
-use fem::newton::iteration::Newton;
+use fem::newton::iteration::{LargestStep, Newton};
 use fem::newton::path::{Stability, follow};
 use fem::problem::{Loads, Problem, State};
 use fem::tensor::Vector;
@@ -72,7 +72,7 @@ fn drag(problem: &Problem, pressed: &Loads, dragged: &Loads, steps: f64) -> (Sta
     state.rise = pressed.ground_force.map_or(0.0, |_| 0.01);
     let start = loads(0.0, None, [0.0; 2]);
     for (from, to, steps) in [(&start, pressed, 8.0), (pressed, dragged, steps)] {
-        newton.settings.largest_load_step = 1.0 / steps;
+        newton.settings.largest_load_step = LargestStep::Even(1.0 / steps);
         let ignored = Stability::Ignored;
         follow(&mut newton, &mut state, from, to, ignored, &RUNNING).expect("an equilibrium");
     }

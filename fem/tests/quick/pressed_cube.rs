@@ -8,7 +8,7 @@ use fem::load::contact::{ContactSurface, Penalty};
 use fem::load::friction::Friction;
 use fem::load::ground_shape::Profile;
 use fem::load::obstacle::{GroundAxes, HeightField, StationFunctions};
-use fem::newton::iteration::Newton;
+use fem::newton::iteration::{LargestStep, Newton};
 use fem::newton::path::{Stability, follow};
 use fem::problem::{Loads, Problem, State};
 use fem::tensor::Vector;
@@ -71,7 +71,7 @@ pub fn hold_bottom(problem: &mut Problem, way: f64) {
 fn solve(problem: &Problem, steps: f64) -> (State, Vector, Vector) {
     let mut newton = Newton::new(problem).expect("a valid mesh");
     newton.settings.tolerance = TOLERANCE;
-    newton.settings.largest_load_step = 1.0 / steps;
+    newton.settings.largest_load_step = LargestStep::Even(1.0 / steps);
     let mut state = State::reference(problem);
     let at = |support_factor| Loads {
         ground: Some(flat(0.0)),

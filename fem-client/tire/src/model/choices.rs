@@ -6,7 +6,7 @@ use fem_client::solver::Choice;
 
 use super::dimensions::shape;
 use super::glued_film::Place;
-use super::resting_ground::{DRAG_STEPS, FRICTION_STEPS};
+use super::resting_ground::{drag_steps, press_steps};
 use crate::mesh::tire_grid::{Extent, TireGrid};
 use crate::omission::omissions;
 
@@ -70,15 +70,17 @@ pub(super) fn modelled(scene: &Scene, grid: &TireGrid) -> Vec<Choice> {
     }
     if scene.contact.friction > 0.0 {
         let why = format!(
-            "Coulomb, coefficient {}, pressed from the inflated state in {FRICTION_STEPS} steps: the path matters",
-            scene.contact.friction
+            "Coulomb, coefficient {}, pressed from the inflated state in {} steps: the path matters",
+            scene.contact.friction,
+            press_steps(scene.model.level)
         );
         list.push(choice("friction", why));
     }
     if scene.ground.is_dragged() {
         let [x, y] = scene.ground.shift_mm;
         let why = format!(
-            "once it presses the ground is dragged by {x} mm along the wheel and {y} mm across it, in {DRAG_STEPS} steps: the path matters"
+            "once it presses the ground is dragged by {x} mm along the wheel and {y} mm across it, in {} steps: the path matters",
+            drag_steps(scene.model.level)
         );
         list.push(choice("shear", why));
     }

@@ -30,5 +30,5 @@ pub(crate) use resting_ground::depth_of_load;
 pub(crate) use resting_ground::ground_axes;
 pub(crate) use resting_ground::load_step;
 pub(crate) use resting_ground::profiled_ground;
-pub use resting_ground::{DRAG_STEPS, FRICTION_STEPS, ground};
+pub use resting_ground::{drag_steps, ground, press_steps};
 pub use tire_model::TireModel;

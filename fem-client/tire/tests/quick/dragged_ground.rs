@@ -2,7 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use fem::newton::iteration::Newton;
+use fem::newton::iteration::{LargestStep, Newton};
 use fem::newton::path::{Stability, follow};
 use fem::problem::{Loads, State};
 use fem_client::scene::{Film, Level, Scene};
@@ -12,7 +12,7 @@ use fem_client::solver::{
 };
 use tire::embedded::EmbeddedSolver;
 use tire::mesh::tire_grid::Extent;
-use tire::model::{DRAG_STEPS, FRICTION_STEPS, TireModel, extent, mesh_plan};
+use tire::model::{TireModel, drag_steps, extent, mesh_plan, press_steps};
 
 static RUNNING: AtomicBool = AtomicBool::new(false);
 const FRICTION: f64 = 0.5;
@@ -94,7 +94,7 @@ fn assert_forces(found: [f64; 3], expected: [f64; 3]) {
 fn ground_that_is_not_dragged_pulls_nothing() {
     let still = solve(&dragged([1.0; 5], [0.0; 2]));
     assert_eq!(force(&still), [0.0, 0.0, still.reaction_n]);
-    assert_eq!(still.residual_history.len(), FRICTION_STEPS);
+    assert_eq!(still.residual_history.len(), press_steps(Level::Draft));
     assert!(
         still
             .model
@@ -110,7 +110,8 @@ fn a_mirrored_shift_gives_mirrored_strains_and_the_opposite_pull() {
     let ahead = solve(&dragged([1.2, 1.0, 0.9, 1.1, 0.8], [0.3, 0.0]));
     let back = solve(&dragged([0.8, 1.1, 0.9, 1.0, 1.2], [-0.3, 0.0]));
     assert_eq!(ahead.model.dimension, "3d-half");
-    assert_eq!(ahead.residual_history.len(), FRICTION_STEPS + DRAG_STEPS);
+    let steps = press_steps(Level::Draft) + drag_steps(Level::Draft);
+    assert_eq!(ahead.residual_history.len(), steps);
     assert!(
         ahead
             .model
@@ -245,20 +246,28 @@ fn the_bead_holds_what_the_ground_pulls() {
             pressure: scene.pressure.internal_mpa,
             ..Loads::default()
         };
-        let mut reach = |newton: &mut Newton<'_>, start: &Loads, target: &Loads, steps: usize| {
-            newton.settings.largest_load_step = 1.0 / steps as f64;
+        let mut reach = |newton: &mut Newton<'_>, start: &Loads, target: &Loads, step| {
+            newton.settings.largest_load_step = step;
             let ignored = Stability::Ignored;
             follow(newton, &mut state, start, target, ignored, &RUNNING).expect("an equilibrium");
             state.clone()
         };
-        let state = reach(&mut newton, &Loads::default(), &inflated, 1);
+        let once = LargestStep::Even(1.0);
+        let state = reach(&mut newton, &Loads::default(), &inflated, once);
         let on_ground = Loads {
             ground: Some(model.ground_below(&scene.ground, &state)),
             ..inflated.clone()
         };
         let undragged = on_ground.with_shift([0.0; 2]);
-        reach(&mut newton, &inflated, &undragged, FRICTION_STEPS);
-        let state = reach(&mut newton, &undragged, &on_ground, DRAG_STEPS);
+        let steps = [press_steps(Level::Draft), drag_steps(Level::Draft)];
+        let [press, drag] = steps.map(|steps| 1.0 / steps as f64);
+        reach(
+            &mut newton,
+            &inflated,
+            &undragged,
+            LargestStep::OfRoot(press),
+        );
+        let state = reach(&mut newton, &undragged, &on_ground, LargestStep::Even(drag));
         let held = newton.reactions(&state, &on_ground);
         let held: f64 = held.iter().map(|reaction| reaction[axis]).sum();
         let pull = force(&solve(&scene));

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use fem::newton::iteration::{Newton, NewtonSettings};
+use fem::newton::iteration::{LargestStep, Newton, NewtonSettings};
 use fem::newton::path::{Stability, follow};
 use fem::problem::{Loads, State};
 use fem::tensor::cross;
@@ -11,7 +11,7 @@ use fem_client::solver::gauge::Gauge;
 use fem_client::solver::{Readout, Response, SolveRequest, Solved, Solver, StartState};
 use tire::embedded::EmbeddedSolver;
 use tire::mesh::tire_grid::Extent;
-use tire::model::{TireModel, mesh_plan};
+use tire::model::{TireModel, extent, mesh_plan};
 
 static RUNNING: AtomicBool = AtomicBool::new(false);
 /// An equilibrium to 1e-8 of the forces leaves 1e-8 in a strain.
@@ -261,7 +261,7 @@ fn the_bead_holds_force_and_moment_of_the_ground() {
         };
         let mut state = State::reference(&model.problem);
         let mut reach = |start: &Loads, target: &Loads, steps: f64| {
-            newton.settings.largest_load_step = 1.0 / steps;
+            newton.settings.largest_load_step = LargestStep::Even(1.0 / steps);
             let ignored = Stability::Ignored;
             follow(&mut newton, &mut state, start, target, ignored, &RUNNING)
                 .expect("an equilibrium");
@@ -304,6 +304,53 @@ fn the_bead_holds_force_and_moment_of_the_ground() {
             }
         }
     }
+}
+
+/// Force of the ground across a wheel that leans by 10 degrees with friction, N, pressed in such steps.
+fn force_across(press: LargestStep) -> f64 {
+    let mut scene = leaning(10.0);
+    scene.contact.friction = 0.5;
+    let model = TireModel::new(&scene, &mesh_plan(&scene, Level::Draft), extent(&scene));
+    let mut newton = Newton::new(&model.problem).expect("a valid mesh");
+    newton.settings = EmbeddedSolver::settings();
+    let mut state = State::reference(&model.problem);
+    let mut reach = |start: &Loads, target: &Loads, step: LargestStep| {
+        newton.settings.largest_load_step = step;
+        let ignored = Stability::Ignored;
+        follow(&mut newton, &mut state, start, target, ignored, &RUNNING).expect("an equilibrium");
+        state.clone()
+    };
+    let inflated = Loads {
+        pressure: scene.pressure.internal_mpa,
+        ..Loads::default()
+    };
+    let free = reach(&Loads::default(), &inflated, LargestStep::Even(1.0));
+    let ground = model.ground_below(&scene.ground, &free);
+    let loads = Loads {
+        ground: Some(ground.clone()),
+        ..inflated.clone()
+    };
+    let state = reach(&inflated, &loads, press);
+    let position = |node| state.position(&model.problem.mesh, node);
+    let contact = model.problem.contact.as_ref().expect("a tread");
+    let pressing = contact.resultant(&ground, position).wrench;
+    let rubbing = contact.friction_wrench(&ground, &state.anchors, position);
+    pressing.force[1] + rubbing.force[1]
+}
+
+#[test]
+fn steps_in_which_contact_grows_evenly_leave_less_than_twice_as_many_equal_ones() {
+    let limit = force_across(LargestStep::OfRoot(1.0 / 64.0));
+    let off = |press| force_across(press) - limit;
+    let [own, equal] = [
+        off(LargestStep::OfRoot(1.0 / 8.0)),
+        off(LargestStep::Even(1.0 / 16.0)),
+    ];
+    println!("{limit} N, off by {own} and {equal} N");
+    assert!(own.abs() < 0.5 * equal.abs(), "{own} {equal} of {limit} N");
+    // The error falls with the step: sixteen leave half of what eight do, the limit itself an eighth.
+    let half = off(LargestStep::OfRoot(1.0 / 16.0));
+    assert!(half.abs() < 0.6 * own.abs(), "{half} {own}");
 }
 
 #[test]

@@ -18,7 +18,7 @@ pub struct NewtonSettings {
     /// Smallest volume ratio that a step may reach at an integration point.
     pub min_volume_ratio: f64,
     /// Largest fraction of a path that one load step may take.
-    pub largest_load_step: f64,
+    pub largest_load_step: LargestStep,
     /// Smallest fraction of a path that is tried before it is given up.
     pub smallest_load_step: f64,
     /// Steps with a kept tangent that cost as much as a new one and the step with it; 0 makes a new one for every step.
@@ -34,10 +34,29 @@ impl Default for NewtonSettings {
             max_iterations: 50,
             divergence: 1e6,
             min_volume_ratio: 0.05,
-            largest_load_step: 1.0,
+            largest_load_step: LargestStep::Even(1.0),
             smallest_load_step: 1.0 / 256.0,
             renewal_cost: 8.0,
             acceleration_depth: 3,
+        }
+    }
+}
+
+/// Largest load step as a fraction of its path.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum LargestStep {
+    /// Fraction that is the same everywhere.
+    Even(f64),
+    /// Difference of the fractions' roots: pressed on a plane, the contact of a round body grows by equal lengths.
+    OfRoot(f64),
+}
+
+impl LargestStep {
+    /// Returns the largest step from where a path has come to.
+    pub(crate) fn at(self, reached: f64) -> f64 {
+        match self {
+            Self::Even(step) => step,
+            Self::OfRoot(step) => step * (step + 2.0 * reached.sqrt()),
         }
     }
 }
@@ -99,5 +118,26 @@ impl AddAssign for Effort {
         self.assembly += other.assembly;
         self.factorisation += other.factorisation;
         self.substitution += other.substitution;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn steps_grow_with_the_square_or_stay() {
+        let ends = |largest: LargestStep| {
+            let mut reached = 0.0;
+            [1, 2, 3, 4].map(|_| {
+                reached += largest.at(reached);
+                reached
+            })
+        };
+        assert_eq!(ends(LargestStep::Even(0.25)), [0.25, 0.5, 0.75, 1.0]);
+        assert_eq!(
+            ends(LargestStep::OfRoot(0.25)),
+            [1.0, 4.0, 9.0, 16.0].map(|k| k / 16.0)
+        );
     }
 }
