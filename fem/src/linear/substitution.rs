@@ -4,8 +4,9 @@
 //! over the right-hand side's rows serves four columns of L. The factor's entries may be stored in single precision, which
 //! halves what is read; products and sums are always formed in double precision.
 
-use faer::Mat;
+use faer::linalg::matmul::triangular::{BlockStructure, matmul};
 use faer::sparse::linalg::cholesky::supernodal::SupernodalLdltRef;
+use faer::{Accum, Mat, Par};
 
 /// Columns that one pass over the rows serves.
 const BLOCK: usize = 4;
@@ -213,7 +214,6 @@ pub(crate) fn schur_complement<T: Copy + Into<f64>>(
         for j in node.interior..node.columns {
             let (column, target) = (node.column(j), node.start + j - interior);
             let pivot = column[j].into();
-            lower[(target, target)] = 1.0;
             scaled[(target, target)] = pivot;
             for row in j + 1..node.rows {
                 let equation = node.equation(row) - interior;
@@ -223,5 +223,22 @@ pub(crate) fn schur_complement<T: Copy + Into<f64>>(
             }
         }
     }
-    scaled * lower.transpose()
+    let mut product = Mat::<f64>::zeros(border, border);
+    matmul(
+        product.as_mut(),
+        BlockStructure::TriangularLower,
+        Accum::Replace,
+        scaled.as_ref(),
+        BlockStructure::TriangularLower,
+        lower.transpose(),
+        BlockStructure::UnitTriangularUpper,
+        1.0,
+        Par::Seq,
+    );
+    for column in 0..border {
+        for row in column + 1..border {
+            product[(column, row)] = product[(row, column)];
+        }
+    }
+    product
 }

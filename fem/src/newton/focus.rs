@@ -3,7 +3,9 @@
 //! A tangent that serves many loads has a border wide enough for all of them. One solve needs less of it, and what
 //! contact costs grows with the cube of its size.
 
-use faer::linalg::solvers::{Llt, Solve};
+use std::sync::OnceLock;
+
+use faer::linalg::solvers::{DenseSolveCore, Llt, Solve};
 use faer::{Col, Mat, Side};
 
 use crate::linear::setup::Setup;
@@ -20,6 +22,8 @@ pub(crate) struct Focus {
     places: Vec<Option<usize>>,
     focused: Vec<usize>,
     rest: Vec<usize>,
+    /// Inverse of the Schur complement, once it was asked for; none where it isn't positive definite.
+    compliance: OnceLock<Option<Mat<f64>>>,
     /// Factor of the rest, and its coupling to the focused unknowns: rest x focused.
     eliminated: Option<(Llt<f64>, Mat<f64>)>,
 }
@@ -80,8 +84,15 @@ impl Focus {
             places,
             focused,
             rest,
+            compliance: OnceLock::new(),
             eliminated,
         }
+    }
+
+    /// Inverse of the Schur complement; `None` where it isn't positive definite, as that of a body which rests on nothing but the ground.
+    pub(crate) fn compliance(&self) -> Option<&Mat<f64>> {
+        let inverse = || Some(self.schur.llt(Side::Lower).ok()?.inverse());
+        self.compliance.get_or_init(inverse).as_ref()
     }
 
     /// Place of a border unknown in the focus.

@@ -39,6 +39,7 @@ impl CondensedContact<'_> {
         let body = self.schur;
         let free = CondensedContact {
             schur: &schur,
+            compliance: None,
             may_leave: false,
             ..self
         };

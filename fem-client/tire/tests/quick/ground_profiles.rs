@@ -160,7 +160,7 @@ fn extremes_have_an_equilibrium() {
         }
         assert!(last > 0.0);
     }
-    for (rms, correlation, depth) in [(0.3, 1.5, 0.0), (0.1, 1.5, 1.0), (1.5, 5.0, 2.0)] {
+    for (rms, correlation, depth) in [(0.3, 1.5, 0.0), (0.1, 1.5, 1.0), (1.2, 5.0, 2.0)] {
         let mut scene = rough(rms, correlation, 5);
         scene.model.level = Level::Draft;
         scene.ground = scene.ground.at_depths(vec![depth; 5]);
