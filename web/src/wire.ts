@@ -525,6 +525,16 @@ export interface components {
             signal_error_largest: number;
             /**
              * Format: double
+             * @description Root mean square error of the signals' slopes over the contact's angle there, over the crown's steepest; none of a study that didn't judge them.
+             */
+            slope_error_rms?: number | null;
+            /**
+             * Format: double
+             * @description Largest error of such a slope.
+             */
+            slope_error_largest?: number | null;
+            /**
+             * Format: double
              * @description Root mean square error of the vertical force there, N.
              */
             force_error_n: number;

@@ -60,6 +60,12 @@ pub struct ContactFindings {
     pub signal_error_rms: f64,
     /// Largest error of a signal there, over the crown's largest.
     pub signal_error_largest: f64,
+    /// Root mean square error of the signals' slopes over the contact's angle there, over the crown's steepest; none of a study that didn't judge them.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub slope_error_rms: Option<f64>,
+    /// Largest error of such a slope.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub slope_error_largest: Option<f64>,
     /// Root mean square error of the vertical force there, N.
     pub force_error_n: f64,
     /// Quantities whose laws reach beyond what could be solved, in words: what is drawn ends there.

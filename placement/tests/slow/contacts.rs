@@ -33,6 +33,8 @@ traction = { kind = \"uniform\", min = -0.2, max = 0.2 }
     assert!(contacts.short.is_empty(), "{:?}", contacts.short);
     // A wrong side would be off by the camber's whole effect: half of the crown's largest signal.
     assert!(contacts.signal_error_rms < 0.03, "{contacts:?}");
+    let slopes = contacts.slope_error_rms.expect("judged");
+    assert!(slopes < 0.06, "{contacts:?}");
     assert!(contacts.force_error_n < 0.05 * 13.0, "{contacts:?}");
     for layout in &result.layouts {
         let score = &layout.score;

@@ -13,7 +13,7 @@ use crate::score::scaled_errors::Errors;
 use documents::layouts::contact_laws::{ContactLaw, ContactQuantity};
 use layouts::arrangement::FilmKind;
 use layouts::field::film_field::DepthFields;
-use layouts::field::hermite::Nodes;
+use layouts::field::hermite::{Nodes, Turn};
 use layouts::field::response_surface::{
     AxisNode, ContactAxis, DepthSignals, Given, ResponseSurface,
 };
@@ -176,8 +176,8 @@ impl SolvedContacts<'_> {
         surface: &ResponseSurface,
         solved: &[Outcome],
     ) -> Result<ContactFindings, String> {
-        let (mut near, mut all, mut forces) =
-            (Errors::default(), Errors::default(), Errors::default());
+        let [mut near, mut all, mut near_slopes, mut slopes, mut forces] =
+            std::array::from_fn(|_| Errors::default());
         for (check, outcome) in self.scenes.checks().iter().zip(solved) {
             let response = outcome.as_ref().map_err(|unsolved| {
                 format!(
@@ -191,10 +191,15 @@ impl SolvedContacts<'_> {
             let usual = self.usual(check.depth_mm);
             let crown = usual.signals.iter().take(2).flatten();
             let full_scale = crown.fold(0.0, |largest: f64, signal| largest.max(signal.abs()));
+            let crown = usual.signals.iter().take(2).flat_map(|own| slopes_of(own));
+            let steepest = crown.fold(0.0, |largest: f64, slope| largest.max(slope.abs()));
             for (kind, found) in found.signals.iter().enumerate() {
                 let expected = surface.signal(&contact, kind);
                 all.compare(found, &expected, full_scale);
                 near.compare(&found[NEAR], &expected[NEAR], full_scale);
+                let [found, expected] = [found, &expected].map(|signal| slopes_of(signal));
+                slopes.compare(&found, &expected, steepest);
+                near_slopes.compare(&found[NEAR], &expected[NEAR], steepest);
             }
         }
         Ok(ContactFindings {
@@ -202,6 +207,8 @@ impl SolvedContacts<'_> {
             checks: solved.len(),
             signal_error_rms: near.rms(),
             signal_error_largest: all.worst(),
+            slope_error_rms: Some(near_slopes.rms()),
+            slope_error_largest: Some(slopes.worst()),
             force_error_n: forces.rms(),
             short: self.short(surface),
         })
@@ -230,6 +237,13 @@ impl SolvedContacts<'_> {
     }
 }
 
+/// Slopes of a signal around the wheel over the angle at its samples, per degree.
+fn slopes_of(samples: &[f64]) -> Vec<f64> {
+    let turn = Turn::new(samples.to_vec());
+    let angles = (-180..180).map(f64::from);
+    angles.map(|angle_deg| turn.slope(angle_deg)).collect()
+}
+
 /// Value of a quantity at a step: of a traction what the ground pulls with.
 fn value(
     axis: &PlannedAxis,
@@ -243,5 +257,21 @@ fn value(
             Ok(force[way] / response.reaction_n)
         }
         _ => Ok(quantity.usual() + step * axis.reach),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slopes_are_those_of_a_wave_at_its_samples() {
+        let angles = || (-180..180).map(|degree| f64::from(degree).to_radians());
+        let wave: Vec<f64> = angles().map(f64::cos).collect();
+        let per_degree = 1f64.to_radians();
+        for (slope, angle) in slopes_of(&wave).into_iter().zip(angles()) {
+            // Differences of fourth order leave h^4 / 30 of a wave's slope.
+            assert!((slope / per_degree + angle.sin()).abs() < per_degree.powi(4));
+        }
     }
 }

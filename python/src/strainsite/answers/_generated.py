@@ -582,6 +582,11 @@ class ContactFindings:
     depth."""
     signal_error_largest: float
     """Largest error of a signal there, over the crown's largest."""
+    slope_error_rms: float | None = None
+    """Root mean square error of the signals' slopes over the contact's angle there, over the crown's steepest; none
+    of a study that didn't judge them."""
+    slope_error_largest: float | None = None
+    """Largest error of such a slope."""
     force_error_n: float
     """Root mean square error of the vertical force there, N."""
     short: tuple[str, ...] = ()

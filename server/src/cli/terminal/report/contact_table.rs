@@ -23,8 +23,16 @@ pub(super) fn contacts(result: &StudyResult) -> String {
         text.push_str(&by_quantity(layout));
         text.push_str(&told(layout));
     }
+    let slopes = match (findings.slope_error_rms, findings.slope_error_largest) {
+        (Some(rms), Some(largest)) => format!(
+            " their slopes over the angle by {:.1} % of its steepest, and by {:.0} % at most;",
+            100.0 * rms,
+            100.0 * largest
+        ),
+        _ => String::new(),
+    };
     let surface = format!(
-        "Signals of contacts are off by {:.1} % of the crown's largest, root mean square, and by {:.0} % at most; forces by {:.2} N: at {} contacts of all at once, which they weren't made from.",
+        "Signals of contacts are off by {:.1} % of the crown's largest, root mean square, and by {:.0} % at most;{slopes} forces by {:.2} N: at {} contacts of all at once, which they weren't made from.",
         100.0 * findings.signal_error_rms,
         100.0 * findings.signal_error_largest,
         findings.force_error_n,

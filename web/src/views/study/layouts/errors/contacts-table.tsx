@@ -7,6 +7,9 @@ import { ErrorRow } from "./error-row.tsx";
 export function ContactsTable({ layout, contacts }: { layout: RankedLayout | undefined; contacts: ContactFindings | null | undefined }) {
   const alone = layout?.contacts ?? [];
   if (layout === undefined || contacts == null || alone.length === 0) return null;
+  const [rms, largest] = [contacts.slope_error_rms, contacts.slope_error_largest];
+  const slopes =
+    rms == null || largest == null ? "" : `, their slopes over the angle by ${short(100 * rms)} % of its steepest and ${short(100 * largest)} % at most`;
   return (
     <>
       <h3>What makes the error of {layoutWords(layout)}</h3>
@@ -27,7 +30,7 @@ export function ContactsTable({ layout, contacts }: { layout: RankedLayout | und
       <p class="quiet">
         Each at the load where it is worst. Errors are over {contacts.laws.join(", ")}; the estimate knows their laws, not their values. Signals of contacts
         come from few solves: they are off by {short(100 * contacts.signal_error_rms)} % of the crown's largest, root mean square, and by{" "}
-        {short(100 * contacts.signal_error_largest)} % at most, at {contacts.checks} contacts that they weren't made from.
+        {short(100 * contacts.signal_error_largest)} % at most{slopes}, at {contacts.checks} contacts that they weren't made from.
         {(contacts.short ?? []).map((each) => ` Drawn no further than could be solved: ${each}.`)}
       </p>
     </>
