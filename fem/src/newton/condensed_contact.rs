@@ -43,8 +43,8 @@ pub(crate) struct CondensedContact<'a> {
     pub(super) faces: Vec<BorderFace>,
     pub(super) anchors: &'a [[f64; 2]],
     pub(super) schur: &'a Mat<f64>,
-    /// Inverse of `schur`, where friction asks for it and there is one.
-    pub(super) compliance: Option<&'a Mat<f64>>,
+    /// Focus whose Schur complement that is, and which has its inverse; none where it is another one.
+    pub(super) focus: Option<&'a Focus>,
     /// Whether the body holds without the ground, so that an iterate may leave it.
     pub(super) may_leave: bool,
 }
@@ -88,10 +88,7 @@ impl<'a> CondensedContact<'a> {
             faces,
             anchors: &state.anchors,
             schur: &focus.schur,
-            compliance: match state.anchors.is_empty() {
-                true => None,
-                false => focus.compliance(),
-            },
+            focus: Some(focus),
             may_leave: true,
         })
     }
@@ -111,14 +108,18 @@ impl<'a> CondensedContact<'a> {
         watch: &dyn Watch,
     ) -> Col<f64> {
         let mut touching = x.clone();
-        let mut tangent = match self.compliance {
+        let compliance = match self.has_friction() {
+            true => self.focus.and_then(Focus::compliance),
+            false => None,
+        };
+        let mut tangent = match compliance {
             Some(_) => Mat::new(),
             None => Mat::zeros(rhs.nrows(), rhs.nrows()),
         };
         let (mut smallest, mut in_vain) = (f64::INFINITY, 0);
         for iteration in 0..MAX_ITERATIONS {
             let mut blocks = Vec::new();
-            let forces = match self.compliance {
+            let forces = match compliance {
                 Some(_) => self.forces_and_blocks(&x, &mut blocks),
                 None => {
                     tangent.copy_from(self.schur);
@@ -149,7 +150,7 @@ impl<'a> CondensedContact<'a> {
                 break;
             }
             if self.has_friction() {
-                let step = match self.compliance {
+                let step = match compliance {
                     Some(compliance) => touching_step(compliance, &blocks, &residual),
                     None => PartialPivLu::new(tangent.as_ref()).solve(-&residual),
                 };

@@ -39,7 +39,7 @@ impl CondensedContact<'_> {
         let body = self.schur;
         let free = CondensedContact {
             schur: &schur,
-            compliance: None,
+            focus: None,
             may_leave: false,
             ..self
         };
