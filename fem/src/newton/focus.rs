@@ -5,11 +5,14 @@
 
 use std::sync::OnceLock;
 
-use faer::linalg::solvers::{DenseSolveCore, Llt, Solve};
+use faer::linalg::solvers::{DenseSolveCore, Llt, PartialPivLu, Solve};
 use faer::{Col, Mat, Side};
 
 use crate::linear::setup::Setup;
 use crate::problem::Problem;
+
+/// Error of an inverse, by what it gives back of a column, above which there is none: Newton's steps would stall.
+const LOST: f64 = 1e-8;
 
 /// The focused part of a border.
 #[derive(Debug)]
@@ -22,7 +25,7 @@ pub(crate) struct Focus {
     places: Vec<Option<usize>>,
     focused: Vec<usize>,
     rest: Vec<usize>,
-    /// Inverse of the Schur complement, once it was asked for; none where it isn't positive definite.
+    /// Inverse of the Schur complement, once it was asked for; none where it is singular.
     compliance: OnceLock<Option<Mat<f64>>>,
     /// Factor of the rest, and its coupling to the focused unknowns: rest x focused.
     eliminated: Option<(Llt<f64>, Mat<f64>)>,
@@ -89,10 +92,12 @@ impl Focus {
         }
     }
 
-    /// Inverse of the Schur complement; `None` where it isn't positive definite, as that of a body which rests on nothing but the ground.
+    /// Inverse of the Schur complement; `None` where it is singular, as that of a body which rests on nothing but the ground. That of a wall which is pressed in far is
+    /// indefinite, and has one.
     pub(crate) fn compliance(&self) -> Option<&Mat<f64>> {
-        let inverse = || Some(self.schur.llt(Side::Lower).ok()?.inverse());
-        self.compliance.get_or_init(inverse).as_ref()
+        self.compliance
+            .get_or_init(|| inverse(&self.schur))
+            .as_ref()
     }
 
     /// Place of a border unknown in the focus.
@@ -122,5 +127,36 @@ impl Focus {
         for (&place, value) in self.focused.iter().zip(focused.iter()) {
             rhs[place] = *value;
         }
+    }
+}
+
+/// Inverse of a symmetric matrix; `None` where it is singular.
+fn inverse(matrix: &Mat<f64>) -> Option<Mat<f64>> {
+    let inverse = match matrix.llt(Side::Lower) {
+        Ok(factor) => factor.inverse(),
+        Err(_) => PartialPivLu::new(matrix.as_ref()).inverse(),
+    };
+    let column = Col::<f64>::ones(matrix.nrows());
+    let lost = matrix * (&inverse * &column) - &column;
+    (lost.norm_l2() <= LOST * column.norm_l2()).then_some(inverse)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_indefinite_matrix_has_an_inverse_and_a_singular_one_has_none() {
+        // A mirror through the plane across a direction, whose own inverse it is; and the projection onto that plane.
+        const SIZE: usize = 5;
+        let direction = Col::from_fn(SIZE, |k| (1.0 + k as f64) / 55f64.sqrt());
+        let across = |share: f64| {
+            let one = Mat::<f64>::identity(SIZE, SIZE);
+            one - faer::Scale(share) * &direction * direction.transpose()
+        };
+        let mirror = across(2.0);
+        let found = inverse(&mirror).expect("regular");
+        assert!((found - &mirror).norm_max() < 1e-14);
+        assert!(inverse(&across(1.0)).is_none());
     }
 }
