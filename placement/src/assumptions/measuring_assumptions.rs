@@ -96,7 +96,7 @@ fn of_readings(study: &Study) -> Vec<(Changed, Option<Vec<TrueContact>>)> {
 fn not_asked(study: &Study) -> Vec<String> {
     let asked = &study.layouts.assumptions;
     let has_law = |name: &str| {
-        let mut laws = study.layouts.contacts.iter();
+        let mut laws = study.layouts.contacts.laws.iter();
         laws.any(|law| law.quantity.as_str() == name)
     };
     let all = [

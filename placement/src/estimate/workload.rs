@@ -240,7 +240,8 @@ impl Workload {
                 } else {
                     0
                 },
-                scatter: (!study.layouts.contacts.is_empty()).then_some(study.layouts.scatter),
+                scatter: (!study.layouts.contacts.laws.is_empty())
+                    .then_some(study.layouts.contacts.scatter),
                 searched: match is_first {
                     true => searched(study),
                     false => (0.0, 0),

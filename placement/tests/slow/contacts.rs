@@ -2,14 +2,14 @@
 
 use crate::menu::solved;
 
-/// A camber and a traction: their contacts are solved on one side each, and read on the other by the mirror planes; the contacts of both at once that the surface is
-/// judged by lie on either side.
+/// A camber and a traction: their contacts are solved on one side each, and read on the other by the mirror planes, as is a station before the middle with and without the
+/// camber; the contacts of all at once that the surface is judged by lie on either side.
 #[test]
 fn contacts_as_they_come_are_solved_on_one_side_and_judged_on_both() {
     let result = solved(
         "name = \"contacts\"
-scene = { preset = \"foot-tire\", contact = { friction = 0.5 } }
-inputs = [{ name = \"P3\", vary = \"ground.depths_mm[2]\", distribution = { kind = \"uniform\", min = 0.7, max = 1.3 } }]
+scene = { preset = \"foot-tire\", contact = { friction = 0.5 }, ground = { depths_mm = [1, 1, 1] } }
+inputs = [{ name = \"P3\", vary = \"ground.depths_mm[1]\", distribution = { kind = \"uniform\", min = 0.7, max = 1.3 } }]
 method = { kind = \"mdrm\", nodes = 2, check_points = 0, seed = 1 }
 accuracy = { preset = \"draft\" }
 [layouts]
@@ -20,15 +20,22 @@ directions = [[\"y\"]]
 [layouts.contacts]
 camber_deg = { kind = \"uniform\", min = -10, max = 10 }
 traction = { kind = \"uniform\", min = -0.2, max = 0.2 }
+uneven = { kind = \"uniform\", min = -0.2, max = 0.2 }
+checks = 2
 ",
     );
-    // Flat ground at five depths; two steps of two quantities at the load and at both ends; three contacts of both at once.
-    assert_eq!(result.cost.layout_solves, 5 + 2 * 2 * 3 + 3);
+    // Flat ground at five depths; at the load and at both ends two steps of a camber, a traction and two of three stations, and the camber with each of these; two
+    // contacts of all at once.
+    assert_eq!(result.cost.layout_solves, 5 + (2 * 4 + 2) * 3 + 2);
     let findings = result.layout_findings.expect("layouts");
     let contacts = findings.contacts.expect("a surface");
     assert_eq!(
         contacts.laws,
-        ["camber -9.98 to 9.98 degrees", "traction -0.20 to 0.20"]
+        [
+            "camber -9.98 to 9.98 degrees",
+            "traction -0.20 to 0.20",
+            "uneven ground -0.20 to 0.20"
+        ]
     );
     assert!(contacts.short.is_empty(), "{:?}", contacts.short);
     // A wrong side would be off by the camber's whole effect: half of the crown's largest signal.
@@ -39,8 +46,8 @@ traction = { kind = \"uniform\", min = -0.2, max = 0.2 }
     for layout in &result.layouts {
         let score = &layout.score;
         let of: Vec<&str> = score.contacts.iter().map(|own| own.of.as_str()).collect();
-        assert_eq!(of, ["noise", "camber_deg", "traction"]);
-        let [noise, camber, _] = score.contacts.as_slice() else {
+        assert_eq!(of, ["noise", "camber_deg", "traction", "uneven"]);
+        let [noise, camber, _, _] = score.contacts.as_slice() else {
             panic!("{layout:?}");
         };
         // Both are estimated; the traction shifts the peaks along the wheel, which a film along y feels as an angle alone.

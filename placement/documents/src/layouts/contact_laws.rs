@@ -11,6 +11,10 @@ use crate::parts::distribution_reader::distribution_value;
 
 /// Field of how an estimate takes the scatter.
 pub(super) const SCATTER: &str = "scatter";
+/// Field of how many contacts judge the surface.
+pub(super) const CHECKS: &str = "checks";
+/// Least and largest number of them.
+pub(super) const CHECKS_WITHIN: (u64, u64) = (1, 1000);
 /// Share of a law beyond either of its ends: nothing is drawn from there.
 const BEYOND: f64 = 1e-3;
 
@@ -150,17 +154,44 @@ pub enum Scatter {
     Each,
 }
 
-/// Writes laws, and how their scatter is taken, as the table in a document.
-pub(super) fn laws_value(laws: &[ContactLaw], scatter: Scatter) -> Value {
-    let entry = |law: &ContactLaw| {
-        let name = law.quantity.as_str().to_owned();
-        (name, distribution_value(&law.law))
-    };
-    let mut table: Map<_, _> = laws.iter().map(entry).collect();
-    if scatter != Scatter::default() {
-        table.insert(SCATTER.to_owned(), scatter.as_str().into());
+/// Contacts as they come: the table `layouts.contacts`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Contacts {
+    /// Laws of what a contact is beside its angle and depth; none: it is upright, on flat ground, not dragged.
+    pub laws: Vec<ContactLaw>,
+    /// Scatter over these contacts, as an estimate takes it.
+    pub scatter: Scatter,
+    /// Number of contacts that are solved to judge the response surface, and left out of it.
+    pub checks: u32,
+}
+
+impl Default for Contacts {
+    fn default() -> Self {
+        Self {
+            laws: Vec::new(),
+            scatter: Scatter::default(),
+            checks: 3,
+        }
     }
-    Value::Object(table)
+}
+
+impl Contacts {
+    /// Writes the table in a document.
+    pub(super) fn to_value(&self) -> Value {
+        let entry = |law: &ContactLaw| {
+            let name = law.quantity.as_str().to_owned();
+            (name, distribution_value(&law.law))
+        };
+        let mut table: Map<_, _> = self.laws.iter().map(entry).collect();
+        let usual = Self::default();
+        if self.scatter != usual.scatter {
+            table.insert(SCATTER.to_owned(), self.scatter.as_str().into());
+        }
+        if self.checks != usual.checks {
+            table.insert(CHECKS.to_owned(), self.checks.into());
+        }
+        Value::Object(table)
+    }
 }
 
 #[cfg(test)]

@@ -10,7 +10,9 @@ use fem_client::solver::Position;
 use serde_json::json;
 
 use crate::layouts::assumptions::Assumptions;
-use crate::layouts::contact_laws::{ContactQuantity, SCATTER, Scatter};
+use crate::layouts::contact_laws::{
+    CHECKS, CHECKS_WITHIN, ContactQuantity, Contacts, SCATTER, Scatter,
+};
 use crate::layouts::layout_bounds::{
     ANGLE, CAMBER, DISTANCE, DRIFT, FRICTION, GAIN, LONGEST_LAYOUT, MOST_ENTRIES, MOST_FILMS,
     MOST_FREE, MOST_LOADS, MOST_SEARCHED, MOST_SIZES, MOST_SLOTS, MOST_UNITS, NOISE_FACTOR, PLACE,
@@ -138,9 +140,12 @@ fn contacts(schemas: &mut Schemas) -> Value {
             laws.add(quantity.as_str(), quantity.doc(), law, None, false);
         }
         let doc = "Scatter of films over these contacts, as an estimate takes it: known of all films together, so that what contacts differ in is estimated, too, or averaged over, as noise of each film.";
+        let usual = Contacts::default();
         let scatter = Scatter::schema(&(), schemas);
-        let usual = Scatter::default().as_str().into();
-        laws.add(SCATTER, doc, scatter, Some(usual), false);
+        laws.add(SCATTER, doc, scatter, Some(usual.scatter.as_str().into()), false);
+        let doc = "Number of contacts that are solved to judge the response surface, and left out of it. Each is a whole tire with friction; 30 tell its largest error.";
+        let checks = u64::schema(&CHECKS_WITHIN, schemas);
+        laws.add(CHECKS, doc, checks, Some(usual.checks.into()), false);
         laws.table("Laws of contacts; what has none is as in the scene.")
     })
 }

@@ -6,7 +6,7 @@ use fem_client::solver::direction::Direction;
 use serde_json::{Map, Value, json};
 
 use crate::layouts::assumptions::Assumptions;
-use crate::layouts::contact_laws::{ContactLaw, Scatter, laws_value};
+use crate::layouts::contact_laws::Contacts;
 use crate::layouts::film_room::FilmRoom;
 use crate::layouts::gluing_limits::GluingLimits;
 use crate::parts::directions::Directions;
@@ -57,10 +57,8 @@ pub struct Layouts {
     pub dead: bool,
     /// Whether forces along and across the wheel are unknown, too.
     pub shear: bool,
-    /// Laws of what a contact is beside its angle and depth; none: it is upright, on flat ground, not dragged.
-    pub contacts: Vec<ContactLaw>,
-    /// Scatter over these contacts, as an estimate takes it.
-    pub scatter: Scatter,
+    /// Contacts as they come; without a law all are as in the scene.
+    pub contacts: Contacts,
     /// Values to which what the figures rest on is changed.
     pub assumptions: Assumptions,
     /// Mesh level; none: the study's own, the standard at most.
@@ -191,8 +189,7 @@ impl Default for Layouts {
             noise: NoiseSettings::default(),
             dead: false,
             shear: false,
-            contacts: Vec::new(),
-            scatter: Scatter::default(),
+            contacts: Contacts::default(),
             assumptions: Assumptions::default(),
             level: None,
             search: None,
@@ -344,8 +341,8 @@ impl Layouts {
         if self.shear {
             put("shear", true.into());
         }
-        if !self.contacts.is_empty() {
-            put("contacts", laws_value(&self.contacts, self.scatter));
+        if !self.contacts.laws.is_empty() {
+            put("contacts", self.contacts.to_value());
         }
         if self.assumptions != Assumptions::default() {
             put("assumptions", self.assumptions.to_value());

@@ -1,18 +1,16 @@
 //! Changes of films' signals with what a contact is beside its angle and depth: a response surface from few solves.
 //!
 //! A signal is that of the usual contact, and its changes with each quantity alone: s(c) = s(0) + sum over q of (s(c_q) - s(0)), the cut expansion of first order
-//! (H. Rabitz and O. F. Alis, 1999). Each term is the polynomial through contacts that are solved at even steps of what makes it (a camber, a shift of the
+//! (H. Rabitz and O. F. Alis, 1999); where it matters most, with those of second order of some pairs. Each term is the polynomial through contacts that are solved at some steps of what makes it (a camber, a shift of the
 //! ground), and cubic over the depth. A law may be of something else than is stepped, as a traction is of the shift: its value is then looked up.
 
 use documents::layouts::contact_laws::ContactLaw;
 use gsa::design::sobol::Sobol;
 
+use crate::field::contact_axis::{Change, ContactAxis, Weights};
+use crate::field::contact_pair::ContactPair;
 use crate::field::hermite::{DEGREES, Nodes, Shares, summed};
 
-/// Most contacts that a quantity's polynomial goes through, the usual one among them.
-pub(super) const MOST_NODES: usize = 5;
-/// Halvings by which a value is looked up: 1e-12 of the reach.
-const HALVINGS: usize = 40;
 /// Contacts by which means and variances are summed.
 const CONTACTS: u32 = 64;
 
@@ -24,6 +22,7 @@ pub struct ResponseSurface {
     depths: Nodes,
     laws: Vec<ContactLaw>,
     axes: Vec<ContactAxis>,
+    pairs: Vec<ContactPair>,
 }
 
 /// Signals and forces over the depth, of contacts that are the usual ones or of all.
@@ -35,26 +34,6 @@ pub struct DepthSignals {
     pub forces_n: Vec<f64>,
     /// Signals by kind and depth: a sample each degree from -180.
     pub signals: Vec<Vec<Vec<f64>>>,
-}
-
-/// Quantity alone that differs, at every depth where it was stepped.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ContactAxis {
-    /// Number of its law: several axes have one where a quantity is several independent ones.
-    pub law: usize,
-    /// Contacts by depth, at even steps of what makes the quantity, the usual one in the middle.
-    pub nodes: Vec<Vec<AxisNode>>,
-}
-
-/// Contact at which one quantity differs from the usual one.
-#[derive(Debug, Clone, PartialEq)]
-pub struct AxisNode {
-    /// Value of the quantity.
-    pub value: f64,
-    /// Change of the vertical force, N.
-    pub force_n: f64,
-    /// Changes of the signals by kind of film: a sample each degree from -180.
-    pub signals: Vec<Vec<f64>>,
 }
 
 /// Quantities of a contact that are drawn by their laws, where there are any; the others are as usual.
@@ -88,25 +67,20 @@ pub enum Given {
     Step(f64),
 }
 
-/// Weights of an axis' nodes in a contact.
-pub(super) type Weights = [f64; MOST_NODES];
-
 /// Contact of the surface, as weights of what was solved.
 #[derive(Debug, Clone)]
-pub struct Contact {
+pub struct Contact<'s> {
     /// Shares of the usual contact's depths.
     usual: Shares,
-    /// Shares of the depths at which quantities were stepped.
-    shares: Shares,
-    /// Numbers of the axes that differ, and weights of their nodes.
-    axes: Vec<(usize, Weights)>,
+    /// Changes that make it, each with its weight.
+    changes: Vec<(f64, &'s Change)>,
 }
 
 impl ResponseSurface {
     /// Makes a surface beside the usual contact, of axes that were solved at these depths.
     ///
     /// # Panics
-    /// If an axis has no odd number of nodes up to five at each depth.
+    /// If an axis has no odd number of steps up to five, and a node for each at each depth.
     pub fn new(
         usual: DepthSignals,
         depths: Nodes,
@@ -114,16 +88,32 @@ impl ResponseSurface {
         axes: Vec<ContactAxis>,
     ) -> Self {
         let count = depths.places().len();
-        let is_odd = |nodes: &Vec<AxisNode>| nodes.len() % 2 == 1 && nodes.len() <= MOST_NODES;
-        let is_whole =
-            |axis: &ContactAxis| axis.nodes.len() == count && axis.nodes.iter().all(is_odd);
-        assert!(axes.iter().all(is_whole), "nodes around the usual contact");
+        let are_whole = axes.iter().all(|axis| axis.is_whole(count));
+        assert!(are_whole, "nodes around the usual contact");
         Self {
             usual,
             depths,
             laws,
             axes,
+            pairs: Vec::new(),
         }
+    }
+
+    /// The surface with what pairs of its axes change at once.
+    ///
+    /// # Panics
+    /// If a pair has no nodes for each depth.
+    #[must_use]
+    pub fn with_pairs(self, pairs: Vec<ContactPair>) -> Self {
+        let count = self.depths.places().len();
+        let are_whole = pairs.iter().all(|pair| pair.nodes.len() == count);
+        assert!(are_whole, "nodes at each depth");
+        Self { pairs, ..self }
+    }
+
+    /// Depths at which quantities were stepped, mm.
+    pub fn depths(&self) -> &Nodes {
+        &self.depths
     }
 
     /// The laws.
@@ -132,7 +122,7 @@ impl ResponseSurface {
     }
 
     /// Numbers of the axes' laws.
-    pub(crate) fn laws_of_axes(&self) -> impl Iterator<Item = usize> + '_ {
+    pub fn laws_of_axes(&self) -> impl Iterator<Item = usize> + '_ {
         self.axes.iter().map(|axis| axis.law)
     }
 
@@ -161,48 +151,57 @@ impl ResponseSurface {
         self.usual.signals.len()
     }
 
-    /// Number of an axis' nodes.
-    pub(super) fn nodes_of(&self, axis: usize) -> usize {
-        self.axes[axis].nodes[0].len()
+    /// The axes.
+    pub(super) fn axes(&self) -> &[ContactAxis] {
+        &self.axes
     }
 
     /// Step of an axis at a depth, mm, that gives a value of its quantity.
-    pub(super) fn step(&self, depth_mm: f64, axis: usize, value: f64) -> f64 {
+    pub fn step(&self, depth_mm: f64, axis: usize, value: f64) -> f64 {
         let [shares, _] = self.depths.shares(depth_mm);
         let axis = &self.axes[axis];
         axis.step_of(&axis.values(&shares), value)
     }
 
-    /// Changes of the signals by kind, and of the force (N), at a depth, mm, of an axis' nodes with these weights.
-    pub(super) fn change(
+    /// Pairs of axes that change more at once than each alone.
+    pub(super) fn pairs(&self) -> &[ContactPair] {
+        &self.pairs
+    }
+
+    /// Changes of an axis' nodes with these weights, each times its share of a depth, mm.
+    pub(super) fn changes_of_axis(
         &self,
         depth_mm: f64,
         axis: usize,
         weights: &Weights,
-    ) -> (Vec<Vec<f64>>, f64) {
+    ) -> Vec<(f64, &Change)> {
         let [shares, _] = self.depths.shares(depth_mm);
-        let mut signals = vec![vec![0.0; DEGREES]; self.kinds()];
-        let mut force_n = 0.0;
-        for (depth, share) in shares.each() {
-            for (node, weight) in self.axes[axis].nodes[depth].iter().zip(weights) {
-                force_n += share * weight * node.force_n;
-                for (sums, samples) in signals.iter_mut().zip(&node.signals) {
-                    for (sum, sample) in sums.iter_mut().zip(samples) {
-                        *sum += share * weight * sample;
-                    }
-                }
-            }
-        }
-        (signals, force_n)
+        let nodes = |depth: usize| self.axes[axis].nodes[depth].iter().map(|node| &node.change);
+        weighted(&shares, weights, nodes)
+    }
+
+    /// Changes of a pair's nodes with these weights.
+    pub(super) fn changes_of_pair(
+        &self,
+        depth_mm: f64,
+        pair: usize,
+        weights: &[f64; 2],
+    ) -> Vec<(f64, &Change)> {
+        let [shares, _] = self.depths.shares(depth_mm);
+        weighted(&shares, weights, |depth| {
+            self.pairs[pair].nodes[depth].iter()
+        })
     }
 
     /// The surface of some kinds alone, in their order.
-    pub(super) fn of_kinds(&self, kinds: &[usize]) -> Self {
+    pub fn of_kinds(&self, kinds: &[usize]) -> Self {
         let mut some = self.clone();
         let nodes = some.axes.iter_mut().flat_map(|axis| &mut axis.nodes);
-        for node in nodes.flatten() {
-            let signal = |&kind: &usize| node.signals[kind].clone();
-            node.signals = kinds.iter().map(signal).collect();
+        let of_axes = nodes.flatten().map(|node| &mut node.change);
+        let of_pairs = some.pairs.iter_mut().flat_map(|pair| &mut pair.nodes);
+        for change in of_axes.chain(of_pairs.flatten()) {
+            let signal = |&kind: &usize| change.signals[kind].clone();
+            change.signals = kinds.iter().map(signal).collect();
         }
         let signals = &mut some.usual.signals;
         *signals = kinds
@@ -213,61 +212,67 @@ impl ResponseSurface {
     }
 
     /// The contact at a depth, mm, with these places of the axes' quantities, each taken into what was solved.
-    pub fn contact(&self, depth_mm: f64, given: &[Given]) -> Contact {
+    pub fn contact(&self, depth_mm: f64, given: &[Given]) -> Contact<'_> {
         let [shares, _] = self.depths.shares(depth_mm);
-        let weighted = |(number, (axis, given)): (usize, (&ContactAxis, &Given))| {
-            let step = match given {
-                Given::Value(value) => axis.step_of(&axis.values(&shares), *value),
-                Given::Step(step) => *step,
-            };
-            (step != 0.0).then(|| (number, axis.polynomials(step)))
+        let step = |(axis, given): (&ContactAxis, &Given)| match given {
+            Given::Value(value) => axis.step_of(&axis.values(&shares), *value),
+            Given::Step(step) => *step,
         };
-        let [usual, _] = self.usual.depths.shares(depth_mm);
-        let axes = self.axes.iter().zip(given).enumerate();
-        Contact {
-            usual,
-            shares,
-            axes: axes.filter_map(weighted).collect(),
+        let steps: Vec<f64> = self.axes.iter().zip(given).map(step).collect();
+        let mut changes = Vec::new();
+        for (axis, step) in steps.iter().enumerate().filter(|(_, step)| **step != 0.0) {
+            let weights = self.axes[axis].polynomials(*step);
+            changes.extend(self.changes_of_axis(depth_mm, axis, &weights));
         }
+        for (number, pair) in self.pairs.iter().enumerate() {
+            let both = pair.axes.map(|axis| steps[axis]);
+            if !both.contains(&0.0) {
+                changes.extend(self.changes_of_pair(depth_mm, number, &pair.weights(both)));
+            }
+        }
+        let [usual, _] = self.usual.depths.shares(depth_mm);
+        Contact { usual, changes }
+    }
+
+    /// Change beside the usual contact of the force in the wheel's frame, N: along the wheel, along the axle, and upwards.
+    pub fn changed_in_wheel_n(&self, contact: &Contact<'_>) -> [f64; 3] {
+        let changes = contact.changes.iter();
+        let along = |axis: usize| {
+            let of_axis = changes
+                .clone()
+                .map(|(weight, change)| weight * change.in_wheel_n[axis]);
+            of_axis.sum()
+        };
+        [0, 1, 2].map(along)
+    }
+
+    /// Change beside the usual contact of a kind's signal: a sample each degree from -180.
+    pub fn changed_signal(&self, contact: &Contact<'_>, kind: usize) -> Vec<f64> {
+        summed_signals(&contact.changes, kind)
     }
 
     /// Vertical force of a contact, N.
-    pub fn force_n(&self, contact: &Contact) -> f64 {
+    pub fn force_n(&self, contact: &Contact<'_>) -> f64 {
         let usual = summed(&contact.usual, |node| self.usual.forces_n[node]);
-        let change = |(axis, weights): &(usize, Weights)| {
-            summed(&contact.shares, |depth| {
-                let nodes = self.axes[*axis].nodes[depth].iter().zip(weights);
-                nodes.map(|(node, weight)| node.force_n * weight).sum()
-            })
-        };
-        usual + contact.axes.iter().map(change).sum::<f64>()
+        let changes = contact.changes.iter();
+        usual
+            + changes
+                .map(|(weight, change)| weight * change.force_n)
+                .sum::<f64>()
     }
 
     /// Signal of a kind of film with a contact: a sample each degree from -180.
-    pub fn signal(&self, contact: &Contact, kind: usize) -> Vec<f64> {
-        let mut signal = vec![0.0; DEGREES];
-        let mut add = |samples: &[f64], weight: f64| {
-            for (sum, sample) in signal.iter_mut().zip(samples) {
-                *sum += weight * sample;
-            }
-        };
+    pub fn signal(&self, contact: &Contact<'_>, kind: usize) -> Vec<f64> {
+        let mut signal = self.changed_signal(contact, kind);
         for (node, share) in contact.usual.each() {
-            add(&self.usual.signals[kind][node], share);
-        }
-        for (axis, weights) in &contact.axes {
-            for (depth, share) in contact.shares.each() {
-                for (node, weight) in self.axes[*axis].nodes[depth].iter().zip(weights) {
-                    add(&node.signals[kind], share * weight);
-                }
-            }
+            add(&mut signal, &self.usual.signals[kind][node], share);
         }
         signal
     }
 
-    /// Values of an axis' quantity at its outermost steps at each depth.
+    /// Values of an axis' quantity at steps of -1 and 1 at each depth.
     pub fn reached(&self, axis: usize) -> impl Iterator<Item = [f64; 2]> + '_ {
-        let ends = |nodes: &Vec<AxisNode>| [nodes[0].value, nodes[nodes.len() - 1].value];
-        self.axes[axis].nodes.iter().map(ends)
+        self.axes[axis].reached()
     }
 
     /// Signals and forces over contacts of which this is drawn: their means, and the variances of the signals by kind and depth.
@@ -310,38 +315,31 @@ impl ResponseSurface {
     }
 }
 
-impl ContactAxis {
-    /// Values of its quantity at its nodes, between depths by these shares.
-    fn values(&self, shares: &Shares) -> Weights {
-        let mut values = [0.0; MOST_NODES];
-        for (node, value) in values.iter_mut().enumerate().take(self.nodes[0].len()) {
-            *value = summed(shares, |depth| self.nodes[depth][node].value);
-        }
-        values
-    }
+/// Changes with their weights: those of nodes at each depth, times the depth's share.
+fn weighted<'c, I: Iterator<Item = &'c Change>>(
+    shares: &Shares,
+    weights: &[f64],
+    nodes: impl Fn(usize) -> I,
+) -> Vec<(f64, &'c Change)> {
+    let at_depth = |(depth, share)| {
+        let nodes = nodes(depth).zip(weights);
+        nodes.map(move |(change, weight)| (share * weight, change))
+    };
+    shares.each().flat_map(at_depth).collect()
+}
 
-    /// Lagrange's polynomials through its nodes, at a step.
-    fn polynomials(&self, step: f64) -> Weights {
-        polynomials(self.nodes[0].len(), step)
+/// Sum of the changes of one kind's signal.
+pub(super) fn summed_signals(changes: &[(f64, &Change)], kind: usize) -> Vec<f64> {
+    let mut sums = vec![0.0; DEGREES];
+    for (weight, change) in changes {
+        add(&mut sums, &change.signals[kind], *weight);
     }
+    sums
+}
 
-    /// Step from -1 to 1 at which the polynomial through values at its nodes, which increase or decrease, has a value; 0 at the usual one.
-    fn step_of(&self, values: &Weights, value: f64) -> f64 {
-        let count = self.nodes[0].len();
-        if value == values[count / 2] {
-            return 0.0;
-        }
-        let rises = values[count - 1] > values[0];
-        let (mut low, mut high) = (-1.0, 1.0);
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (low + high);
-            if (dot(values, &self.polynomials(middle)) < value) == rises {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        0.5 * (low + high)
+fn add(sums: &mut [f64], samples: &[f64], weight: f64) {
+    for (sum, sample) in sums.iter_mut().zip(samples) {
+        *sum += weight * sample;
     }
 }
 
@@ -353,28 +351,13 @@ fn moments(numbers: impl Iterator<Item = f64> + Clone) -> [f64; 2] {
     [mean, squares.sum::<f64>() / count]
 }
 
-/// Lagrange's polynomials through so many even steps from -1 to 1, at a step.
-pub(super) fn polynomials(count: usize, step: f64) -> Weights {
-    let place = |k: usize| 2.0 * k as f64 / (count - 1).max(1) as f64 - 1.0;
-    let mut weights = [0.0; MOST_NODES];
-    for (k, weight) in weights.iter_mut().enumerate().take(count) {
-        let others = (0..count).filter(|other| *other != k);
-        let factors = others.map(|other| (step - place(other)) / (place(k) - place(other)));
-        *weight = factors.product();
-    }
-    weights
-}
-
-fn dot(a: &Weights, b: &Weights) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
 #[cfg(test)]
 pub(crate) mod tests {
     use documents::layouts::contact_laws::ContactQuantity;
     use gsa::law::distribution::Distribution;
 
     use super::*;
+    use crate::field::contact_axis::AxisNode;
 
     /// A share by which signals are larger for each unit of a quantity.
     const BY_PRESSURE: f64 = -0.8;
@@ -415,17 +398,25 @@ pub(crate) mod tests {
         };
         let pressure = |depth: &f64| {
             let node = |value: f64| AxisNode {
+                step: 10.0 * (value - 1.0),
                 value,
-                force_n: STIFFER_N * (value - 1.0) * depth,
-                signals: scaled(&bells(*depth), BY_PRESSURE * (value - 1.0)),
+                change: Change {
+                    force_n: STIFFER_N * (value - 1.0) * depth,
+                    in_wheel_n: [0.0; 3],
+                    signals: scaled(&bells(*depth), BY_PRESSURE * (value - 1.0)),
+                },
             };
             [0.9, 1.0, 1.1].map(node).to_vec()
         };
         let traction = |depth: &f64| {
             let node = |step: f64| AxisNode {
+                step,
                 value: traction_of(step),
-                force_n: 0.0,
-                signals: vec![vec![step * step * depth; DEGREES]; 2],
+                change: Change {
+                    force_n: 0.0,
+                    in_wheel_n: [0.0; 3],
+                    signals: vec![vec![step * step * depth; DEGREES]; 2],
+                },
             };
             [-1.0, -0.5, 0.0, 0.5, 1.0].map(node).to_vec()
         };

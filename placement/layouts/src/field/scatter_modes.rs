@@ -2,9 +2,12 @@
 //!
 //! A quantity changes signals by a polynomial of the step that makes it. Written in polynomials that are orthonormal over its law (D. Xiu and G. E. Karniadakis,
 //! 2002), a signal is its mean and the sum of modes times scores of unit variance without correlation. The force at a depth, and the quantity itself, go with them.
+//! What two quantities change at once goes with each by its mean over the other; the rest is left, as dozens of small modes would cost more than they tell.
 
-use crate::field::hermite::Turn;
-use crate::field::response_surface::{Drawn, MOST_NODES, ResponseSurface, Weights, polynomials};
+use crate::field::contact_axis::{ContactAxis, MOST_NODES, Weights};
+use crate::field::contact_pair::ContactPair;
+use crate::field::hermite::{DEGREES, Turn};
+use crate::field::response_surface::{Drawn, ResponseSurface, summed_signals};
 
 /// Values of a law over which a covariance is summed.
 const VALUES: usize = 64;
@@ -18,6 +21,8 @@ const NEGLIGIBLE: f64 = 1e-5;
 pub struct ScatterModes {
     /// Signals by kind of film, then mode.
     pub kinds: Vec<Vec<Turn>>,
+    /// Variances of the signals by kind of film that pairs of quantities have beside the modes: an estimate takes them for noise of each film.
+    left: Vec<Turn>,
     /// Numbers that an estimate tells beside angle and depth: the vertical force, then the quantities that have one axis alone.
     pub told: Vec<Told>,
 }
@@ -50,10 +55,9 @@ impl Mode {
 impl ScatterModes {
     /// Modes of a surface at a depth, mm, over contacts of which this is drawn; `force_n` is their mean force.
     pub(super) fn of(surface: &ResponseSurface, depth_mm: f64, drawn: Drawn, force_n: f64) -> Self {
-        let axes = 0..surface.laws_of_axes().count();
-        let modes: Vec<Mode> = axes
-            .flat_map(|axis| of_axis(surface, axis, depth_mm, drawn))
-            .collect();
+        let drawn_axes = DrawnAxes::new(surface, depth_mm, drawn);
+        let axes = 0..surface.axes().len();
+        let modes: Vec<Mode> = axes.flat_map(|axis| drawn_axes.modes_of(axis)).collect();
         let largest = modes.iter().map(Mode::squares).fold(0.0, f64::max);
         let felt: Vec<Mode> = modes
             .into_iter()
@@ -78,10 +82,19 @@ impl ScatterModes {
                 .map(|mode| Turn::new(mode.signals[kind].clone()));
             signals.collect()
         };
+        let left = drawn_axes.left().into_iter();
         Self {
             kinds: kinds.map(of_kind).collect(),
+            left: left.map(Turn::new).collect(),
             told,
         }
+    }
+
+    /// Variance of a kind of film's signal beside the modes, of a film this far from the contact, degrees.
+    pub fn left(&self, kind: usize, apart_deg: f64) -> f64 {
+        // A cubic through variances may fall below zero between two of them.
+        let variance = |left: &Turn| left.at(apart_deg).max(0.0);
+        self.left.get(kind).map_or(0.0, variance)
     }
 
     /// Number of modes.
@@ -109,39 +122,132 @@ fn mean_of(surface: &ResponseSurface, law: usize, drawn: Drawn) -> f64 {
     }
 }
 
-/// Modes of one axis; none where its quantity isn't drawn.
-fn of_axis(surface: &ResponseSurface, axis: usize, depth_mm: f64, drawn: Drawn) -> Vec<Mode> {
-    let law = surface.laws_of_axes().nth(axis).unwrap_or_default();
-    if !drawn.has(law) {
-        return Vec::new();
+/// Values that are drawn of an axis.
+struct DrawnAxis {
+    values: Vec<f64>,
+    /// Steps that give these values at a depth.
+    steps: Vec<f64>,
+    /// Scores of unit variance at them: polynomials of the step.
+    scores: Vec<Vec<f64>>,
+}
+
+/// Axes of a surface at a depth, with what is drawn of each.
+struct DrawnAxes<'s> {
+    surface: &'s ResponseSurface,
+    depth_mm: f64,
+    /// Values by axis; none where its quantity isn't drawn.
+    axes: Vec<Option<DrawnAxis>>,
+}
+
+impl<'s> DrawnAxes<'s> {
+    fn new(surface: &'s ResponseSurface, depth_mm: f64, drawn: Drawn) -> Self {
+        let axis = |(number, axis): (usize, &ContactAxis)| {
+            let law = &surface.laws()[axis.law];
+            drawn.has(axis.law).then(|| {
+                let values: Vec<f64> = shares().map(|share| law.value_at(share)).collect();
+                let step = |value: &f64| surface.step(depth_mm, number, *value);
+                let steps: Vec<f64> = values.iter().map(step).collect();
+                DrawnAxis {
+                    scores: orthonormal(&steps, axis.count() - 1),
+                    values,
+                    steps,
+                }
+            })
+        };
+        Self {
+            surface,
+            depth_mm,
+            axes: surface.axes().iter().enumerate().map(axis).collect(),
+        }
     }
-    let values: Vec<f64> = shares()
-        .map(|share| surface.laws()[law].value_at(share))
-        .collect();
-    let steps: Vec<f64> = values
-        .iter()
-        .map(|value| surface.step(depth_mm, axis, *value))
-        .collect();
-    let count = surface.nodes_of(axis);
-    let weights: Vec<Weights> = steps.iter().map(|step| polynomials(count, *step)).collect();
-    let mode = |scores: Vec<f64>| {
-        let of_node = |node: usize| mean(scores.iter().zip(&weights).map(|(s, w)| s * w[node]));
-        let mut own: Weights = [0.0; MOST_NODES];
-        for (node, weight) in own.iter_mut().enumerate().take(count) {
-            *weight = of_node(node);
+
+    /// Modes of one axis; none where its quantity isn't drawn.
+    fn modes_of(&self, axis: usize) -> Vec<Mode> {
+        let Some(own) = &self.axes[axis] else {
+            return Vec::new();
+        };
+        let solved = &self.surface.axes()[axis];
+        let weights: Vec<Weights> = own.steps.iter().map(|x| solved.polynomials(*x)).collect();
+        let mode = |scores: &Vec<f64>| {
+            let mut of_nodes: Weights = [0.0; MOST_NODES];
+            for (node, weight) in of_nodes.iter_mut().enumerate() {
+                *weight = mean(scores.iter().zip(&weights).map(|(s, w)| s * w[node]));
+            }
+            let mut changes = self.surface.changes_of_axis(self.depth_mm, axis, &of_nodes);
+            for (number, pair) in self.surface.pairs().iter().enumerate() {
+                // The mean over the other quantity goes with this one alone.
+                let with = |own_axis: usize| if own_axis == axis { Some(scores) } else { None };
+                if pair.axes.contains(&axis) {
+                    let weights = self.of_pair(pair, pair.axes.map(with));
+                    changes.extend(
+                        self.surface
+                            .changes_of_pair(self.depth_mm, number, &weights),
+                    );
+                }
+            }
+            let kinds = 0..self.surface.kinds();
+            Mode {
+                law: solved.law,
+                signals: kinds.map(|kind| summed_signals(&changes, kind)).collect(),
+                force_n: changes
+                    .iter()
+                    .map(|(weight, own)| weight * own.force_n)
+                    .sum(),
+                of_value: mean(scores.iter().zip(&own.values).map(|(s, value)| s * value)),
+            }
+        };
+        own.scores.iter().map(mode).collect()
+    }
+
+    /// Means of a pair's weights times these scores of its axes, each its own or none.
+    fn of_pair(&self, pair: &ContactPair, scores: [Option<&Vec<f64>>; 2]) -> [f64; 2] {
+        let [first, second] = pair.axes.map(|axis| self.axes[axis].as_ref());
+        let with_score = |scores: Option<&Vec<f64>>, of: &dyn Fn(f64) -> f64, steps: &[f64]| {
+            let score = |k: usize| scores.map_or(1.0, |scores| scores[k]);
+            mean(
+                steps
+                    .iter()
+                    .enumerate()
+                    .map(|(k, step)| score(k) * of(*step)),
+            )
+        };
+        let of_second = second.map_or(0.0, |own| {
+            with_score(scores[1], &|step| pair.of_second(step), &own.steps)
+        });
+        [0, 1].map(|node| {
+            let of_first = first.map_or(0.0, |own| {
+                with_score(scores[0], &|step| pair.of_first(step)[node], &own.steps)
+            });
+            of_first * of_second
+        })
+    }
+
+    /// Variances of the signals, by kind, that pairs have beside all modes.
+    fn left(&self) -> Vec<Vec<f64>> {
+        let mut left = vec![vec![0.0; DEGREES]; self.surface.kinds()];
+        for (number, pair) in self.surface.pairs().iter().enumerate() {
+            let [Some(first), Some(second)] = pair.axes.map(|axis| self.axes[axis].as_ref()) else {
+                continue;
+            };
+            let products = first
+                .scores
+                .iter()
+                .flat_map(|own| second.scores.iter().map(move |other| [own, other]));
+            for scores in products {
+                let weights = self.of_pair(pair, scores.map(Some));
+                let changes = self
+                    .surface
+                    .changes_of_pair(self.depth_mm, number, &weights);
+                for (kind, left) in left.iter_mut().enumerate() {
+                    let mode = summed_signals(&changes, kind);
+                    left.iter_mut()
+                        .zip(mode)
+                        .for_each(|(sum, own)| *sum += own * own);
+                }
+            }
         }
-        let (signals, force_n) = surface.change(depth_mm, axis, &own);
-        Mode {
-            law,
-            signals,
-            force_n,
-            of_value: mean(scores.iter().zip(&values).map(|(s, value)| s * value)),
-        }
-    };
-    orthonormal(&steps, count - 1)
-        .into_iter()
-        .map(mode)
-        .collect()
+        left
+    }
 }
 
 /// Mean of numbers over a law's values.
@@ -180,6 +286,7 @@ fn squares(signals: &[Vec<f64>]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::field::contact_axis::Change;
     use crate::field::response_surface::tests::surface;
 
     /// Variance over a law of one quantity alone of a film's signal, by contacts of the surface.
@@ -227,6 +334,51 @@ mod tests {
             ScatterModes::of(&surface, 1.0, Drawn::Nothing, 13.0).count(),
             0
         );
+    }
+
+    /// A variance over all pairs of values is that of the modes and what is left beside them: a pair's means over one quantity go with the other.
+    #[test]
+    fn modes_and_what_is_left_have_the_variances_of_two_quantities_at_once() {
+        const PAIR: [usize; 2] = [1, 0];
+        let node = |of_first: f64| Change {
+            force_n: 0.0,
+            in_wheel_n: [0.0; 3],
+            signals: [0, 1]
+                .map(|kind| {
+                    (0..DEGREES)
+                        .map(|d| of_first * (1 + d % 7 + kind) as f64)
+                        .collect()
+                })
+                .to_vec(),
+        };
+        let pair = ContactPair {
+            axes: PAIR,
+            steps: [0.7, 0.8],
+            nodes: vec![[node(0.02), node(0.05)]; 3],
+        };
+        let surface = surface().with_pairs(vec![pair]);
+        let modes = ScatterModes::of(&surface, 1.0, Drawn::All, 13.0);
+        let (kind, degree) = (1, 200);
+        let signal = |first: f64, second: f64| {
+            let contact = surface.contact(1.0, &surface.drawn(&[first, second], Drawn::All));
+            surface.signal(&contact, kind)[degree]
+        };
+        let all: Vec<f64> = shares()
+            .flat_map(|first| shares().map(move |second| (first, second)))
+            .map(|(first, second)| signal(first, second))
+            .collect();
+        let [mean, square] = [1, 2].map(|power| {
+            let powers = all.iter().map(|signal| signal.powi(power));
+            powers.sum::<f64>() / all.len() as f64
+        });
+        let squares = modes.kinds[kind]
+            .iter()
+            .map(|mode| mode.samples()[degree].powi(2));
+        let left = modes.left(kind, degree as f64 - 180.0);
+        let found = squares.sum::<f64>() + left;
+        let expected = square - mean * mean;
+        assert!((found / expected - 1.0).abs() < 1e-3, "{found} {expected}");
+        assert!(left > 0.01 * expected, "{left} {expected}");
     }
 
     #[test]

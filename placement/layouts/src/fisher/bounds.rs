@@ -58,7 +58,10 @@ pub fn information(
             *slope = own;
         }
         let own = noise.variance(kind.signal.at(apart), slopes[0]);
-        let scatter = if modes == 0 { kind.scatter(apart) } else { 0.0 };
+        let scatter = match modes {
+            0 => kind.scatter(apart),
+            _ => field.modes.left(film.kind, apart),
+        };
         information.add(&slopes, own + scatter);
         all.push(slopes);
     }

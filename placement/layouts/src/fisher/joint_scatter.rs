@@ -42,7 +42,10 @@ impl JointScatter {
         let variances: Vec<f64> = places
             .clone()
             .zip(&means)
-            .map(|((kind, apart), mean)| noise.variance(*mean, signal(kind).slope(apart)))
+            .map(|((kind, apart), mean)| {
+                let own = noise.variance(*mean, signal(kind).slope(apart));
+                own + field.modes.left(kind, apart)
+            })
             .collect();
         let mode = |mode: usize| -> Vec<f64> {
             let at = |(kind, apart): (usize, f64)| field.modes.kinds[kind][mode].at(apart);

@@ -4,7 +4,9 @@ use std::ops::RangeInclusive;
 
 use fem_client::solver::Response;
 
-use crate::layout::solving::contact_scenes::{ContactScenes, PlannedAxis, Stepped};
+use crate::layout::solving::contact_scenes::{
+    CheckContact, ContactScenes, OF_PAIR, PlannedAxis, Stepped,
+};
 use crate::layout::solving::glued::angle_residual::AngleResidual;
 use crate::layout::solving::layout_fields::{CONTACT, samples};
 use crate::layout::solving::mirror_parts::image;
@@ -12,11 +14,11 @@ use crate::points::archive::Outcome;
 use crate::score::scaled_errors::Errors;
 use documents::layouts::contact_laws::{ContactLaw, ContactQuantity};
 use layouts::arrangement::FilmKind;
+use layouts::field::contact_axis::{AxisNode, Change, ContactAxis};
+use layouts::field::contact_pair::ContactPair;
 use layouts::field::film_field::DepthFields;
 use layouts::field::hermite::{Nodes, Turn};
-use layouts::field::response_surface::{
-    AxisNode, ContactAxis, DepthSignals, Given, ResponseSurface,
-};
+use layouts::field::response_surface::{DepthSignals, Given, ResponseSurface};
 use results::ContactFindings;
 
 /// Samples within 30 degrees of the contact: there films feel most of it.
@@ -35,42 +37,50 @@ pub(crate) struct SolvedContacts<'s> {
 
 /// Force and signals of a contact.
 struct Read {
+    /// Force along the ground's normal.
     force_n: f64,
+    /// Force in the wheel's frame; zero where the solver doesn't tell.
+    in_wheel_n: [f64; 3],
     signals: Vec<Vec<f64>>,
 }
 
 impl Read {
-    fn less(&self, other: &Self) -> Self {
+    fn less(&self, other: &Self) -> Change {
         let pairs = self.signals.iter().zip(&other.signals);
         let less = |(a, b): (&Vec<f64>, &Vec<f64>)| a.iter().zip(b).map(|(a, b)| a - b).collect();
-        Self {
+        Change {
             force_n: self.force_n - other.force_n,
+            in_wheel_n: [0, 1, 2].map(|axis| self.in_wheel_n[axis] - other.in_wheel_n[axis]),
             signals: pairs.map(less).collect(),
         }
     }
 }
 
 impl SolvedContacts<'_> {
-    /// The surface from what was solved of each axis.
+    /// The surface from what was solved of each pair and axis.
     ///
     /// # Errors
     /// Which contact has no answer.
-    pub fn surface(&self, of_axes: &[Vec<Outcome>]) -> Result<ResponseSurface, String> {
+    pub fn surface(&self, solved: &[Vec<Outcome>]) -> Result<ResponseSurface, String> {
         let mut depths: Vec<(usize, f64)> =
             self.scenes.depths.iter().copied().enumerate().collect();
         depths.sort_by(|a, b| a.1.total_cmp(&b.1));
-        let axis = |(solved, axis): (usize, PlannedAxis)| {
+        let (of_pairs, of_axes) = solved.split_at(self.scenes.pairs().len());
+        let axis = |(solved, axis): &(usize, PlannedAxis)| {
+            let own = &self.scenes.axes[*solved];
+            let count = own.steps().len();
             let nodes = depths.iter().map(|(depth, depth_mm)| {
-                let two = [0, 1].map(|step| &of_axes[solved][2 * depth + step]);
-                self.nodes(&self.scenes.axes[solved], &axis, *depth_mm, two)
+                let solved_there = &of_axes[*solved][depth * count..][..count];
+                self.nodes(own, axis, *depth_mm, solved_there)
             });
             Ok(ContactAxis {
                 law: axis.law,
                 nodes: nodes.collect::<Result<_, String>>()?,
             })
         };
-        let axes = self.scenes.components().into_iter().map(axis);
-        Ok(ResponseSurface::new(
+        let components = self.scenes.components();
+        let axes = components.iter().map(axis);
+        let alone = ResponseSurface::new(
             DepthSignals {
                 depths: self.fields.depths.clone(),
                 forces_n: self.fields.forces_n.clone(),
@@ -79,63 +89,92 @@ impl SolvedContacts<'_> {
             Nodes::new(depths.iter().map(|(_, depth_mm)| *depth_mm).collect()),
             self.scenes.laws.to_vec(),
             axes.collect::<Result<_, String>>()?,
-        ))
+        );
+        let mut pairs = Vec::new();
+        for (pair, solved) in self.scenes.pairs().into_iter().zip(of_pairs) {
+            for axes in self.scenes.components_of(pair) {
+                let nodes = depths
+                    .iter()
+                    .map(|(depth, depth_mm)| self.both(&alone, axes, *depth_mm, &solved[*depth]));
+                pairs.push(ContactPair {
+                    axes,
+                    steps: OF_PAIR,
+                    nodes: nodes.collect::<Result<_, String>>()?,
+                });
+            }
+        }
+        Ok(alone.with_pairs(pairs))
     }
 
-    /// Nodes of an axis at a depth from the two contacts that were solved of it, or of the axis that it is the image of.
+    /// Nodes of an axis at a depth from the contacts that were solved of it, or of the axis that it is the image of.
     fn nodes(
         &self,
         solved: &PlannedAxis,
         axis: &PlannedAxis,
         depth_mm: f64,
-        two: [&Outcome; 2],
+        outcomes: &[Outcome],
     ) -> Result<Vec<AxisNode>, String> {
-        let usual = self.usual(depth_mm);
-        let node = |value: f64, read: &Read| {
-            let change = read.less(&usual);
-            AxisNode {
-                value,
-                force_n: change.force_n,
-                signals: change.signals,
-            }
-        };
         let quantity = self.scenes.laws[axis.law].quantity;
-        let middle = node(quantity.usual(), &usual);
-        let mut below = Vec::new();
-        let mut above = Vec::new();
-        for (step, outcome) in axis.steps().into_iter().zip(two) {
+        let usual = self.usual(depth_mm);
+        let node = |step: f64, value: f64, read: &Read| AxisNode {
+            step,
+            value,
+            change: read.less(&usual),
+        };
+        let own = [solved.stepped != axis.stepped, false];
+        let opposite = match axis.stepped {
+            Stepped::Camber | Stepped::Shift(1) => Some([false, true]),
+            Stepped::Shift(_) => Some([true, false]),
+            Stepped::Station(_) | Stepped::Pressure => None,
+        };
+        let mut nodes = vec![node(0.0, quantity.usual(), &usual)];
+        for (step, outcome) in solved.steps().into_iter().zip(outcomes) {
             let response = outcome.as_ref().map_err(|unsolved| {
                 format!("of the contacts that differ in {} at {depth_mm} mm one has no equilibrium: {unsolved}", quantity.words())
             })?;
             let value = value(axis, quantity, step, response)?;
-            match axis.stepped {
-                Stepped::Camber | Stepped::Shift(1) => {
-                    above.push(node(value, &self.read(response, depth_mm, [false, false])?));
-                    below.insert(
-                        0,
-                        node(-value, &self.read(response, depth_mm, [false, true])?),
-                    );
-                }
-                Stepped::Shift(_) => {
-                    above.push(node(value, &self.read(response, depth_mm, [false, false])?));
-                    below.insert(
-                        0,
-                        node(-value, &self.read(response, depth_mm, [true, false])?),
-                    );
-                }
-                Stepped::Station(_) | Stepped::Pressure => {
-                    let is_image = solved.stepped != axis.stepped;
-                    let side = if step < 0.0 { &mut below } else { &mut above };
-                    side.push(node(
-                        value,
-                        &self.read(response, depth_mm, [is_image, false])?,
-                    ));
-                }
+            nodes.push(node(step, value, &self.read(response, depth_mm, own)?));
+            if let Some(opposite) = opposite {
+                let read = self.read(response, depth_mm, opposite)?;
+                nodes.push(node(-step, -value, &read));
             }
         }
-        below.push(middle);
-        below.append(&mut above);
-        Ok(below)
+        nodes.sort_by(|a, b| a.step.total_cmp(&b.step));
+        Ok(nodes)
+    }
+
+    /// Changes that the camber to either side makes at a depth with a station, beside those that each makes alone; these are their numbers.
+    fn both(
+        &self,
+        alone: &ResponseSurface,
+        axes: [usize; 2],
+        depth_mm: f64,
+        outcome: &Outcome,
+    ) -> Result<[Change; 2], String> {
+        let response = outcome.as_ref().map_err(|unsolved| {
+            format!("of the contacts that differ in camber and uneven ground at {depth_mm} mm one has no equilibrium: {unsolved}")
+        })?;
+        let components = self.scenes.components();
+        let (solved, station) = &components[axes[1]];
+        let is_image = self.scenes.axes[*solved].stepped != station.stepped;
+        let of_side = |sign: f64| {
+            let mut given = vec![Given::Step(0.0); components.len()];
+            given[axes[0]] = Given::Step(sign * OF_PAIR[0]);
+            given[axes[1]] = Given::Step(OF_PAIR[1]);
+            let contact = alone.contact(depth_mm, &given);
+            let kinds = 0..self.kinds.len();
+            let expected = Read {
+                force_n: alone.force_n(&contact),
+                in_wheel_n: {
+                    let [along, across, up] = alone.changed_in_wheel_n(&contact);
+                    [along, across, up + self.usual(depth_mm).force_n]
+                },
+                signals: kinds.map(|kind| alone.signal(&contact, kind)).collect(),
+            };
+            let found = self.read(response, depth_mm, [is_image, sign < 0.0])?;
+            Ok::<_, String>(found.less(&expected))
+        };
+        Ok([of_side(-1.0)?, of_side(1.0)?])
     }
 
     /// The usual contact at a depth.
@@ -144,6 +183,7 @@ impl SolvedContacts<'_> {
         let signals = field.kinds.iter();
         Read {
             force_n: field.force_n,
+            in_wheel_n: [0.0, 0.0, field.force_n],
             signals: signals.map(|kind| kind.signal.samples().to_vec()).collect(),
         }
     }
@@ -156,6 +196,8 @@ impl SolvedContacts<'_> {
             let signals = kinds.map(|kind| samples(&rings, kind, self.kinds));
             signals.collect::<Option<_>>()
         });
+        let [aft, left] = mirrors.map(|mirrored| if mirrored { -1.0 } else { 1.0 });
+        let [along, across, up] = response.force_n.unwrap_or([0.0, 0.0, response.reaction_n]);
         let mut signals: Vec<Vec<f64>> =
             signals.ok_or("the solver gives no strains around the wheel")?;
         for (samples, missing) in signals.iter_mut().zip(self.missing) {
@@ -163,6 +205,7 @@ impl SolvedContacts<'_> {
         }
         Ok(Read {
             force_n: response.reaction_n,
+            in_wheel_n: [aft * along, left * across, up],
             signals,
         })
     }
@@ -174,11 +217,12 @@ impl SolvedContacts<'_> {
     pub fn findings(
         &self,
         surface: &ResponseSurface,
+        checks: &[CheckContact],
         solved: &[Outcome],
     ) -> Result<ContactFindings, String> {
         let [mut near, mut all, mut near_slopes, mut slopes, mut forces] =
             std::array::from_fn(|_| Errors::default());
-        for (check, outcome) in self.scenes.checks().iter().zip(solved) {
+        for (check, outcome) in checks.iter().zip(solved) {
             let response = outcome.as_ref().map_err(|unsolved| {
                 format!(
                     "of the contacts that all differ at once one has no equilibrium: {unsolved}"

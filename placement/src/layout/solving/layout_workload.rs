@@ -61,7 +61,9 @@ pub(crate) fn layout_series(study: &Study, plan: &Plan, solver: &dyn Solver) -> 
         if let Some(contacts) = ContactScenes::of(&scenes, &study.layouts.contacts) {
             series.extend(contacts.series(on_level, kinds));
             // The finer mesh alone is judged by contacts that the surface hasn't seen.
-            series.extend((on_level == level).then(|| contacts.check_series(level, kinds)));
+            if on_level == level {
+                series.extend(contacts.expected_checks(level, kinds));
+            }
         }
         if study.layouts.shear {
             series.push(SceneSeries::from_first(
@@ -113,7 +115,7 @@ pub(crate) fn scorings(study: &Study, plan: &Plan, solver: &dyn Solver) -> usize
     let layouts = layouts.len() - offered + offered.div_ceil(OFFERED_TO_KEPT) + found;
     let glimpses = offered.div_ceil(FULL_TO_SHORT);
     // Contacts that differ in nothing, and in each quantity alone.
-    let laws = study.layouts.contacts.len();
+    let laws = study.layouts.contacts.laws.len();
     let alone = if laws > 0 && meshes > 0 { 1 + laws } else { 0 };
     layouts * loads * (meshes + usize::from(study.layouts.dead && meshes > 0) + alone) + glimpses
 }

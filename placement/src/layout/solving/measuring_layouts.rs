@@ -27,7 +27,7 @@ use documents::study::Study;
 use documents::study::plan::Plan;
 use layouts::arrangement::FilmKind;
 use layouts::field::film_field::DepthFields;
-use layouts::field::response_surface::Drawn;
+use layouts::field::response_surface::{Drawn, ResponseSurface};
 use layouts::ranking::asked_layouts::AskedLayout;
 use layouts::simulate::draws::Draws;
 use results::{
@@ -144,7 +144,7 @@ pub(crate) fn both_meshes<'s>(
     let contacts = ContactScenes::of(scenes, &study.layouts.contacts);
     let judged = match contacts.filter(|_| answers[0].is_ok()) {
         Some(contacts) => {
-            let contacts = (&contacts, study.layouts.scatter);
+            let contacts = (&contacts, study.layouts.contacts.scatter);
             differ(&mut answers, contacts, asked, means, &mut place, context)?
         }
         None => None,
@@ -233,6 +233,16 @@ fn mesh_answer(
 }
 
 impl MeshAnswer {
+    /// Returns its answers to the scenes of a surface.
+    fn solved<'s>(&'s self, scenes: &'s ContactScenes<'s>) -> SolvedContacts<'s> {
+        SolvedContacts {
+            scenes,
+            kinds: &self.kinds,
+            fields: &self.fields.fields,
+            missing: &self.missing,
+        }
+    }
+
     /// Adds to its fields what films were solved around the wheel for.
     fn add_missing(
         &mut self,
@@ -285,58 +295,57 @@ fn differ(
     context: RunContext<'_>,
 ) -> Result<Option<ContactFindings>, RunError> {
     let kinds = asked.kinds.all();
-    let mut series = Vec::new();
-    for (mesh, answer) in answers.iter().enumerate() {
-        if let Ok(answer) = answer {
-            series.extend(contacts.series(answer.level, kinds));
-            series.extend((mesh == 0).then(|| contacts.check_series(answer.level, kinds)));
-        }
-    }
+    let on_mesh = |answer: &MeshAnswer| contacts.series(answer.level, kinds);
+    let series: Vec<SceneSeries> = answers.iter().flatten().flat_map(on_mesh).collect();
     let mut solved = outcomes_of_all(&series, means, place, context)?.into_iter();
     let mut findings = None;
     for (mesh, slot) in answers.iter_mut().enumerate() {
         let Ok(answer) = slot else {
             continue;
         };
-        let of_axes: Result<Vec<_>, String> = solved.by_ref().take(contacts.axes.len()).collect();
-        let checks = (mesh == 0).then(|| solved.next()).flatten();
-        let own = SolvedContacts {
-            scenes: contacts,
-            kinds: &answer.kinds,
-            fields: &answer.fields.fields,
-            missing: &answer.missing,
-        };
-        match of_axes.and_then(|of_axes| own.surface(&of_axes)) {
+        let count = contacts.axes.len() + contacts.pairs().len();
+        let own: Vec<_> = solved.by_ref().take(count).collect();
+        let own: Result<Vec<_>, String> = own.into_iter().collect();
+        match own.and_then(|own| answer.solved(contacts).surface(&own)) {
             Ok(surface) => {
-                let found = checks.map(|checks| own.findings(&surface, &checks?));
-                let surface_error = match &found {
-                    Some(Ok(found)) => Some(answer.fields.surface_error(found)),
-                    _ => None,
-                };
-                findings = findings.or(found);
+                if mesh == 0 {
+                    findings = judged(answer, contacts, &surface, (kinds, means), place, context)?;
+                }
+                let found = findings.as_ref().filter(|_| mesh == 0);
+                let surface_error = found.map(|found| answer.fields.surface_error(found));
                 answer.fields.fields = DepthFields {
                     surface_error,
                     ..DepthFields::over_contacts(surface, Drawn::All, scatter == Scatter::Together)
                 };
             }
-            Err(reason) => {
-                *slot = Err(format!("Layouts have no scores: {reason}."));
-                // What is left isn't the next mesh's.
-                break;
-            }
+            Err(reason) => *slot = Err(format!("Layouts have no scores: {reason}.")),
         }
     }
-    Ok(match findings {
-        Some(Ok(findings)) => Some(findings),
-        Some(Err(reason)) => {
+    Ok(findings)
+}
+
+/// Errors of a mesh's surface at contacts that it hasn't seen, which are solved now: it tells how far the ground is dragged for their tractions.
+fn judged(
+    answer: &mut MeshAnswer,
+    contacts: &ContactScenes<'_>,
+    surface: &ResponseSurface,
+    (kinds, means): (&[FilmKind], &[f64]),
+    place: &mut Place,
+    context: RunContext<'_>,
+) -> Result<Option<ContactFindings>, RunError> {
+    let checks = contacts.checks(|depth_mm, axis, value| surface.step(depth_mm, axis, value));
+    let series = contacts.check_series(&checks, answer.level, kinds);
+    let solved = outcomes_of_all(&series, means, place, context)?;
+    let solved: Result<Vec<Vec<Outcome>>, String> = solved.into_iter().collect();
+    let own = answer.solved(contacts);
+    match solved.and_then(|solved| own.findings(surface, &checks, &solved.concat())) {
+        Ok(found) => Ok(Some(found)),
+        Err(reason) => {
             let reason = format!("The surface over contacts has no error: {reason}.");
-            answers.iter_mut().take(1).flatten().for_each(|answer| {
-                answer.fields.reasons.push(reason.clone());
-            });
-            None
+            answer.fields.reasons.push(reason);
+            Ok(None)
         }
-        None => None,
-    })
+    }
 }
 
 fn without_scores(asked: &Asked, reason: &str) -> Vec<RankedLayout> {

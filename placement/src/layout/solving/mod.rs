@@ -12,8 +12,8 @@
 //! - `measuring_layouts`: solves and fills in a study's result
 //! - `layout_workload`: what all that takes
 
-mod contact_fields;
-mod contact_scenes;
+pub(crate) mod contact_fields;
+pub(crate) mod contact_scenes;
 pub(crate) mod glued;
 mod input_shifts;
 pub(crate) mod judged_layouts;

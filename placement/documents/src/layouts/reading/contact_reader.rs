@@ -8,7 +8,9 @@ use document::fault::{Fault, member};
 use document::fields::{Fields, plain};
 use fem_client::scene::Scene;
 
-use crate::layouts::contact_laws::{ContactLaw, ContactQuantity, SCATTER, Scatter};
+use crate::layouts::contact_laws::{
+    CHECKS, CHECKS_WITHIN, ContactLaw, ContactQuantity, Contacts, SCATTER, Scatter,
+};
 use crate::layouts::layout_settings::{LayoutLoads, Layouts};
 use crate::layouts::reading::usual_contact::check_usual;
 use crate::parts::distribution_reader::read_distribution;
@@ -16,16 +18,16 @@ use crate::parts::distribution_reader::read_distribution;
 /// Share of the friction up to which a contact may be dragged: beyond it most of it slides.
 const OF_FRICTION: f64 = 0.8;
 
-/// Reads the laws of `[layouts.contacts]`, and how an estimate takes their scatter; no law without the table.
-pub(super) fn contacts(fields: &Fields<'_>, faults: &mut Vec<Fault>) -> (Vec<ContactLaw>, Scatter) {
-    let nothing = (Vec::new(), Scatter::default());
+/// Reads `[layouts.contacts]`; no law without the table.
+pub(super) fn contacts(fields: &Fields<'_>, faults: &mut Vec<Fault>) -> Contacts {
+    let usual = Contacts::default();
     let Some((value, pointer)) = fields.get("contacts") else {
-        return nothing;
+        return usual;
     };
     let quantities = ContactQuantity::ALL.map(ContactQuantity::as_str);
-    let known = [&quantities[..], &[SCATTER]].concat();
+    let known = [&quantities[..], &[SCATTER, CHECKS]].concat();
     let Some(table) = Fields::open(value, &pointer, &known, faults) else {
-        return nothing;
+        return usual;
     };
     let mut law = |quantity: ContactQuantity| {
         let (value, at) = table.get(quantity.as_str())?;
@@ -42,10 +44,17 @@ pub(super) fn contacts(fields: &Fields<'_>, faults: &mut Vec<Fault>) -> (Vec<Con
         Fault::add(faults, &pointer, detail);
     }
     let scatter = match table.get(SCATTER) {
-        Some(_) => table.choice(SCATTER, Scatter::CHOICES, Scatter::default(), faults),
+        Some(_) => table.choice(SCATTER, Scatter::CHOICES, usual.scatter, faults),
         None => None,
     };
-    (laws, scatter.unwrap_or_default())
+    let checks = table.integer(CHECKS, CHECKS_WITHIN, usual.checks.into(), faults);
+    Contacts {
+        laws,
+        scatter: scatter.unwrap_or_default(),
+        checks: checks
+            .and_then(|checks| u32::try_from(checks).ok())
+            .unwrap_or(usual.checks),
+    }
 }
 
 fn check_range(law: &ContactLaw, at: &str, faults: &mut Vec<Fault>) -> bool {
@@ -70,7 +79,7 @@ pub(super) fn check_contacts(
     scene: Option<&Scene>,
     faults: &mut Vec<Fault>,
 ) {
-    if layouts.contacts.is_empty() {
+    if layouts.contacts.laws.is_empty() {
         return;
     }
     let pointer = fields.at("contacts");
@@ -93,7 +102,7 @@ pub(super) fn check_contacts(
         return;
     };
     check_usual(scene, &pointer, "are", faults);
-    for law in &layouts.contacts {
+    for law in &layouts.contacts.laws {
         let most = OF_FRICTION * scene.contact.friction;
         if law.quantity.needs_friction() && law.reach() > most {
             let detail = format!(
@@ -134,14 +143,24 @@ mod tests {
     fn scatter_is_read_and_written_where_it_is_averaged_over() {
         let camber = "camber_deg = { kind = \"uniform\", min = -5, max = 5 }";
         let together = read(camber, "depths_mm = [1]").expect("reads");
-        assert_eq!(together.layouts.scatter, Scatter::Together);
+        assert_eq!(together.layouts.contacts.scatter, Scatter::Together);
         assert!(!together.canonical().contains("scatter"));
         let each =
             read(&format!("{camber}\nscatter = \"each\""), "depths_mm = [1]").expect("reads");
-        assert_eq!(each.layouts.scatter, Scatter::Each);
+        assert_eq!(each.layouts.contacts.scatter, Scatter::Each);
         let again = Study::from_canonical(&each.canonical()).expect("reads what it wrote");
         assert_eq!(again.canonical(), each.canonical());
-        assert_eq!(again.layouts.scatter, Scatter::Each);
+        assert_eq!(again.layouts.contacts.scatter, Scatter::Each);
+        assert_eq!(
+            (
+                together.layouts.contacts.checks,
+                again.layouts.contacts.checks
+            ),
+            (3, 3)
+        );
+        let many = read(&format!("{camber}\nchecks = 30"), "depths_mm = [1]").expect("reads");
+        let again = Study::from_canonical(&many.canonical()).expect("reads what it wrote");
+        assert_eq!(again.layouts.contacts.checks, 30);
     }
 
     #[test]
@@ -179,6 +198,11 @@ mod tests {
                 format!("{}\nscatter = \"apart\"", even("camber_deg", -5.0, 5.0)),
                 "",
                 "/layouts/contacts/scatter: must be \"together\" or \"each\"",
+            ),
+            (
+                format!("{}\nchecks = 0", even("camber_deg", -5.0, 5.0)),
+                "",
+                "/layouts/contacts/checks: must be a whole number from 1 to 1000",
             ),
             (
                 "scatter = \"each\"".to_owned(),

@@ -148,7 +148,7 @@ pub(crate) fn layouts(
     if let Some(scene) = scene.filter(|_| layouts.shear) {
         check_usual(scene, &fields.at("shear"), "is", faults);
     }
-    (layouts.contacts, layouts.scatter) = contacts(&fields, faults);
+    layouts.contacts = contacts(&fields, faults);
     layouts.assumptions = assumptions(&fields, faults);
     let free =
         |value: &Value, at: &str, faults: &mut Vec<Fault>| free_layout(value, at, scene, faults);
