@@ -27,6 +27,13 @@ export interface components {
              */
             sigmas: number;
         };
+        /** @description Error where contacts differ in angle, load and shear alone. */
+        AlikeError: {
+            /** @description Error of the estimates then. */
+            error: components["schemas"]["TrialError"];
+            /** @description Error of the rows with a contact alone. */
+            in_contact: components["schemas"]["TrialError"];
+        };
         /** @description Inputs of a model of your own, and the values of its outputs so far. */
         AnalysisDocument: {
             /** @description Inputs of the model. */
@@ -1190,6 +1197,7 @@ export interface components {
             in_contact?: components["schemas"]["TrialError"];
             /** @description Errors there where readings drift otherwise, learnt anew with each drift. */
             drift?: components["schemas"]["DriftError"][];
+            alike?: components["schemas"]["AlikeError"] | null;
             dead?: components["schemas"]["DeadFilmError"] | null;
             /** @description Error there with films that lie elsewhere than those that were learnt from. */
             askew: components["schemas"]["AskewError"];
@@ -4816,6 +4824,11 @@ export interface components {
              * @enum {string}
              */
             scatter: "together" | "each";
+            /**
+             * @description Number of contacts that are solved to judge the response surface, and left out of it. Each is a whole tire with friction; 30 tell its largest error.
+             * @default 3
+             */
+            checks: number;
         };
         /** @description Values to which what the answer's figures rest on is changed, one at a time. */
         LayoutAssumptionsDocument: {
@@ -5824,6 +5837,7 @@ export interface components {
     pathItems: never;
 }
 export type AlikeContacts = components['schemas']['AlikeContacts'];
+export type AlikeError = components['schemas']['AlikeError'];
 export type AnalysisDocument = components['schemas']['AnalysisDocument'];
 export type Answer = components['schemas']['Answer'];
 export type AskewError = components['schemas']['AskewError'];

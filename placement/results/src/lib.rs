@@ -27,10 +27,10 @@ pub use cost_forecast::{CountForecast, Estimate, ExpectedAccuracy, Forecast, Sol
 pub use failed_point::{Cause, FailedPoint, Unsolved};
 use fem_client::solver::ModelSummary;
 pub use film::{
-    AskewError, Claim, ClaimRow, DeadFilmError, DriftError, ElsewhereError, FilmAnglesReport,
-    FilmPair, ForceError, ForceFindings, ForcePrice, Holds, SignalAxis, SignalCurve, SignalError,
-    SignalRow, Signals, SplitError, StressWidth, TableError, TableReport, Trend, TrialError,
-    WorstContact,
+    AlikeError, AskewError, Claim, ClaimRow, DeadFilmError, DriftError, ElsewhereError,
+    FilmAnglesReport, FilmPair, ForceError, ForceFindings, ForcePrice, Holds, SignalAxis,
+    SignalCurve, SignalError, SignalRow, Signals, SplitError, StressWidth, TableError, TableReport,
+    Trend, TrialError, WorstContact,
 };
 pub use index_map::{IndexMap, MapLayer};
 pub use indexed_output::{CoarserIndices, FormMisses, IndexError, Output};

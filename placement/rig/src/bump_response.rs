@@ -3,7 +3,7 @@
 //! Fz = k d^1.5; forces along and across are stiffnesses times shifts, and slide at a share of Fz. A film's charge is a Gaussian of its angle to the contact,
 //! as large as the depth, and skewed by the shift along the wheel.
 
-use crate::contact_response::{Contact, ContactResponse, StanceResponse, TurnableFilms};
+use crate::contact_response::{Contact, ContactResponse, DrawnFor, StanceResponse, TurnableFilms};
 
 const VERTICAL_N: f64 = 11.0;
 const SHEAR_N_PER_MM: [f64; 2] = [6.0, 4.0];
@@ -19,12 +19,15 @@ pub(crate) struct BumpResponse {
     full_scale_nc: Vec<f64>,
     capacitance_pf: Vec<f64>,
     warming_nc_per_k: Vec<f64>,
+    differing: Vec<DrawnFor>,
 }
 
 /// Stance with the contact at one angle.
 pub(crate) struct BumpStance {
     /// Bump of each film and its slope at the contact's angle.
     bumps: Vec<[f64; 2]>,
+    /// Vertical force over that of the usual contact.
+    stiffness: f64,
 }
 
 impl BumpResponse {
@@ -35,6 +38,15 @@ impl BumpResponse {
             full_scale_nc: vec![2.0; films],
             capacitance_pf: vec![980.0; films],
             warming_nc_per_k: vec![7.5; films],
+            differing: Vec::new(),
+        }
+    }
+
+    /// Returns the same films on a tire whose stiffness differs by a factor of 0.5 to 1.5, as often as these say.
+    pub(crate) fn of_many(self, differing: &[DrawnFor]) -> Self {
+        Self {
+            differing: differing.to_vec(),
+            ..self
         }
     }
 
@@ -47,6 +59,7 @@ impl BumpResponse {
         };
         BumpStance {
             bumps: self.angles_deg.iter().map(bump).collect(),
+            stiffness: 1.0,
         }
     }
 }
@@ -76,8 +89,16 @@ impl ContactResponse for BumpResponse {
         SHEAR_N_PER_MM.map(|stiffness| FRICTION * vertical(depth_mm) / stiffness)
     }
 
-    fn at_angle(&self, contact_deg: f64) -> Box<dyn StanceResponse + '_> {
-        Box::new(self.stance(contact_deg))
+    fn differing(&self) -> &[DrawnFor] {
+        &self.differing
+    }
+
+    fn at_angle(&self, contact_deg: f64, shares: &[f64]) -> Box<dyn StanceResponse + '_> {
+        let stiffness = shares.iter().map(|share| 0.5 + share).product();
+        Box::new(BumpStance {
+            stiffness,
+            ..self.stance(contact_deg)
+        })
     }
 }
 
@@ -89,6 +110,13 @@ impl TurnableFilms for BumpResponse {
         }
         turned
     }
+
+    fn alike(&self) -> Self {
+        Self {
+            differing: Vec::new(),
+            ..self.clone()
+        }
+    }
 }
 
 impl StanceResponse for BumpStance {
@@ -98,7 +126,8 @@ impl StanceResponse for BumpStance {
             *charge = PEAK_NC_PER_MM * (contact.depth_mm * height + along * slope);
         }
         let [kx, ky] = SHEAR_N_PER_MM;
-        [kx * along, ky * across, vertical(contact.depth_mm)]
+        let vertical = self.stiffness * vertical(contact.depth_mm);
+        [kx * along, ky * across, vertical]
     }
 }
 

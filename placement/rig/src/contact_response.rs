@@ -22,6 +22,15 @@ impl Contact {
     }
 }
 
+/// Span for which a rig draws what contacts differ in beside angle, depth and shift.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DrawnFor {
+    /// Each stance, as the ground below it.
+    Stance,
+    /// Each run, as the pressure.
+    Run,
+}
+
 /// Response of a tire with its films to a contact that is pressed slowly. In the air it isn't asked: charges and forces are those of the inflated tire, 0.
 pub trait ContactResponse {
     /// Counts the films.
@@ -36,14 +45,18 @@ pub trait ContactResponse {
     fn depth_of_load_mm(&self, load_n: f64) -> f64;
     /// Largest shift along and across up to which the response is known at a depth, mm, before it slides.
     fn sticking_shift_mm(&self, depth_mm: f64) -> [f64; 2];
-    /// The films with the contact at this wheel angle, degrees.
-    fn at_angle(&self, contact_deg: f64) -> Box<dyn StanceResponse + '_>;
+    /// Lists what contacts differ in beside angle, depth and shift.
+    fn differing(&self) -> &[DrawnFor];
+    /// The films with the contact at this wheel angle, degrees, and what contacts differ in at these shares of its law, from 0 to 1; without any share at its usual value.
+    fn at_angle(&self, contact_deg: f64, shares: &[f64]) -> Box<dyn StanceResponse + '_>;
 }
 
-/// Films whose places can be changed.
+/// Films whose places and contacts can be changed.
 pub trait TurnableFilms: ContactResponse + Sized {
     /// Returns the same films, each turned around the wheel by so many degrees.
     fn turned(&self, by_deg: &[f64]) -> Self;
+    /// Returns the same films under contacts that differ in angle, depth and shift alone.
+    fn alike(&self) -> Self;
 }
 
 /// A tire with its films, the contact at one wheel angle.

@@ -47,7 +47,10 @@ impl<'r, R: ContactResponse + ?Sized> PressedTire<'r, R> {
         let asked = self.stance.take();
         let (_, films) = self.stance.insert(match asked {
             Some((number, films)) if number == stance.number => (number, films),
-            _ => (stance.number, self.response.at_angle(stance.contact_deg)),
+            _ => (
+                stance.number,
+                self.response.at_angle(stance.contact_deg, &stance.shares),
+            ),
         });
         let slow_n = films.answer(contact, charges_nc);
         let factor = self.relaxation.factor(slow_n[2]);

@@ -81,8 +81,7 @@ impl RigRun {
 }
 
 fn gait<R: ContactResponse + ?Sized>(response: &R, settings: &RigSettings, run: u64) -> Gait {
-    let mut draws = SeededDraws::new(settings.seed, run, Stream::Gait);
-    Gait::drawn(&settings.gait, response, &mut draws)
+    Gait::drawn(&settings.gait, response, (settings.seed, run))
 }
 
 /// Instants of a force sensor.

@@ -19,11 +19,22 @@ pub enum Stream {
     Force,
     /// Places where films really lie.
     Place,
+    /// Quantities that contacts differ in besides: stances stay as they are where these are drawn.
+    Contact,
 }
 
 impl Stream {
-    /// Number of the streams.
+    /// Number of the streams that stand side by side.
     const COUNT: u64 = 5;
+
+    /// Number of a run's stream.
+    fn of_run(self, run: u64) -> u64 {
+        match self {
+            // Apart from the others, whose numbers stay as they were.
+            Self::Contact => !run,
+            _ => run.wrapping_mul(Self::COUNT) + self as u64,
+        }
+    }
 }
 
 /// A stream of random numbers.
@@ -38,7 +49,7 @@ impl SeededDraws {
     /// The stream of a purpose in a run.
     pub fn new(seed: u64, run: u64, stream: Stream) -> Self {
         let mut rng = ChaCha8Rng::seed_from_u64(seed);
-        rng.set_stream(run.wrapping_mul(Stream::COUNT) + stream as u64);
+        rng.set_stream(stream.of_run(run));
         Self { rng, spare: None }
     }
 

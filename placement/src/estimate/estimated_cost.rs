@@ -23,8 +23,8 @@ const OUTPUT_S: [f64; 2] = [25e-6, 100e-6];
 const SCORING_S: [f64; 3] = [0.025, 0.13, 0.37];
 /// Look of a search at one layout by both criteria, s of one core: 20 736 distances are added.
 const LOOK_S: f64 = 11.5e-6;
-/// Forces of one layout, learnt from the shipped rig's runs and judged, s of one core.
-const LEARNING_S: f64 = 5.0;
+/// Forces of one layout, learnt from the shipped rig's runs with five drifts and judged, s of one core.
+const LEARNING_S: f64 = 27.0;
 
 /// Estimates what a workload costs on a machine, where the points with the `known` content keys needn't be solved.
 pub fn estimate(work: &Workload, known: &HashSet<String>, machine: &Machine) -> Estimate {

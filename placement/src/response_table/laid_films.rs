@@ -3,15 +3,18 @@
 use fem_client::scene::Film;
 use fem_client::solver::FilmSignal;
 
+use crate::response_table::differing_contacts::{DifferingContacts, StanceChanges};
 use crate::response_table::solved_table::{FilmNodes, ResponseTable};
 use crate::signals::answers::signal_of_tension;
 use layouts::arrangement::LaidFilm;
-use rig::contact_response::{Contact, ContactResponse, StanceResponse, TurnableFilms};
+use rig::contact_response::{Contact, ContactResponse, DrawnFor, StanceResponse, TurnableFilms};
 
 /// Films around a wheel, each of a kind of the table, whose signals are volts of the open circuit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LaidFilms<'t> {
     table: &'t ResponseTable,
+    /// Quantities that contacts differ in besides angle, depth and shift; none where they are alike.
+    differing: Option<&'t DifferingContacts>,
     films: Vec<LaidFilm>,
     /// Capacitance of one film, pF.
     capacitance_pf: f64,
@@ -32,6 +35,7 @@ impl<'t> LaidFilms<'t> {
             |film: &LaidFilm| charge_nc(table.largest_of_kind(film.kind), capacitance_pf);
         Self {
             table,
+            differing: None,
             capacitance_pf,
             full_scales_nc: films.iter().map(full_scale).collect(),
             capacitances_pf: vec![capacitance_pf; films.len()],
@@ -40,10 +44,20 @@ impl<'t> LaidFilms<'t> {
         }
     }
 
-    /// Returns these films, with what they are wired to, on another tire.
-    pub fn on<'o>(&self, table: &'o ResponseTable) -> LaidFilms<'o> {
+    /// Returns these films under contacts that differ so.
+    #[must_use]
+    pub fn under(self, differing: Option<&'t DifferingContacts>) -> Self {
+        Self { differing, ..self }
+    }
+
+    /// Returns these films, with what they are wired to, on another tire, whose contacts differ as on theirs.
+    pub fn on<'o>(&self, table: &'o ResponseTable) -> LaidFilms<'o>
+    where
+        't: 'o,
+    {
         LaidFilms {
             table,
+            differing: self.differing,
             capacitance_pf: self.capacitance_pf,
             full_scales_nc: self.full_scales_nc.clone(),
             capacitances_pf: self.capacitances_pf.clone(),
@@ -83,12 +97,18 @@ impl ContactResponse for LaidFilms<'_> {
         [self.table.largest_shift_mm(depth_mm); 2]
     }
 
-    fn at_angle(&self, contact_deg: f64) -> Box<dyn StanceResponse + '_> {
-        let films = self.films.iter();
-        let apart = films.map(move |film| (film.kind, film.theta_deg - contact_deg));
+    fn differing(&self) -> &[DrawnFor] {
+        self.differing.map_or(&[], DifferingContacts::drawn)
+    }
+
+    fn at_angle(&self, contact_deg: f64, shares: &[f64]) -> Box<dyn StanceResponse + '_> {
+        let apart = |film: &LaidFilm| (film.kind, film.theta_deg - contact_deg);
+        let apart: Vec<(usize, f64)> = self.films.iter().map(apart).collect();
+        let differing = self.differing.filter(|_| !shares.is_empty());
         Box::new(FilmsAtAngle {
             table: self.table,
-            nodes: self.table.film_nodes(apart),
+            nodes: self.table.film_nodes(apart.iter().copied()),
+            changes: differing.map(|differing| differing.of_stance(shares, &apart)),
             capacitance_pf: self.capacitance_pf,
         })
     }
@@ -102,12 +122,18 @@ impl TurnableFilms for LaidFilms<'_> {
         }
         turned
     }
+
+    fn alike(&self) -> Self {
+        self.clone().under(None)
+    }
 }
 
 /// The films with the contact at one wheel angle.
 struct FilmsAtAngle<'t> {
     table: &'t ResponseTable,
     nodes: FilmNodes,
+    /// Changes of the stance's contact; none of the usual one.
+    changes: Option<StanceChanges>,
     capacitance_pf: f64,
 }
 
@@ -117,7 +143,15 @@ impl StanceResponse for FilmsAtAngle<'_> {
         for (film, charge) in charges_nc.iter_mut().enumerate() {
             *charge = charge_nc(self.nodes.signal(film, &weights), self.capacitance_pf);
         }
-        self.table.force_n(&weights)
+        let force_n = self.table.force_n(&weights);
+        let Some(changes) = &self.changes else {
+            return force_n;
+        };
+        let (volts, changed_n) = changes.at(contact.depth_mm, charges_nc.len());
+        for (charge, volts) in charges_nc.iter_mut().zip(volts) {
+            *charge += charge_nc(volts, self.capacitance_pf);
+        }
+        [0, 1, 2].map(|axis| force_n[axis] + changed_n[axis])
     }
 }
 
@@ -155,7 +189,9 @@ mod tests {
         };
         let charges = |films: &LaidFilms<'_>, contact_deg: f64| {
             let mut charges = vec![0.0; films.films()];
-            films.at_angle(contact_deg).answer(&contact, &mut charges);
+            films
+                .at_angle(contact_deg, &[])
+                .answer(&contact, &mut charges);
             charges
         };
         let before = charges(&six, 8.0);
@@ -166,8 +202,8 @@ mod tests {
         let expected = field(1.0, [0.4, 0.0], 52.0, 0.0, 90.0);
         assert!((before[2] - charge_nc(expected, six.capacitance_pf()[0])).abs() < 1e-8);
         assert_eq!(
-            six.at_angle(8.0).answer(&contact, &mut []),
-            turned.at_angle(0.0).answer(&contact, &mut [])
+            six.at_angle(8.0, &[]).answer(&contact, &mut []),
+            turned.at_angle(0.0, &[]).answer(&contact, &mut [])
         );
     }
 }

@@ -52,7 +52,7 @@ pub(crate) fn measure(
                     put(&table, errors, &mut result.layouts);
                     forces.price = force_prices(&result.layouts);
                     forces.table = Some(report(&table, &tested));
-                    forces.assumed = assumed(rig);
+                    forces.assumed = assumed(rig, &study.layouts.contacts.laws);
                 }
                 Err(reason) => forces
                     .reasons

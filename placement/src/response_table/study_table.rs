@@ -9,6 +9,7 @@ use crate::points::RunContext;
 use crate::points::RunError;
 use crate::points::SceneSeries;
 use crate::response_table::bare_film::bare_in_volts;
+use crate::response_table::differing_contacts::StudyContacts;
 use crate::response_table::laid_films::LaidFilms;
 use crate::response_table::table_films::film_loads;
 use crate::response_table::table_scenes::TableScenes;
@@ -31,6 +32,8 @@ pub struct StudyTable {
     film: Film,
     /// Whether it is glued on with its stiffness.
     glued: bool,
+    /// Quantities that contacts differ in besides angle, depth and shift; none where they are alike.
+    contacts: Option<StudyContacts>,
     /// The study's layouts, whose films name the kinds by number.
     pub layouts: Vec<AskedLayout>,
 }
@@ -47,11 +50,13 @@ impl StudyTable {
         let (film, glued) = (film_of(study), study.layouts.glued.is_some());
         let asked = Asked::of(study);
         let (mut kinds, mut layouts) = (Vec::new(), asked.layouts);
+        let mut of_table = Vec::new();
         for laid in layouts
             .iter_mut()
             .flat_map(|layout| &mut layout.arrangement.films)
         {
-            let kind = asked.kinds.all()[laid.kind];
+            let number = laid.kind;
+            let kind = asked.kinds.all()[number];
             let kind = match glued {
                 true => kind,
                 false => bare_in_volts(&kind, &film),
@@ -61,6 +66,7 @@ impl StudyTable {
                 .position(|known| *known == kind)
                 .unwrap_or_else(|| {
                     kinds.push(kind);
+                    of_table.push(number);
                     kinds.len() - 1
                 });
         }
@@ -83,9 +89,11 @@ impl StudyTable {
             let named = |reason| format!("{}: {reason}", tire.described());
             scenes.check().map_err(named)?;
         }
+        let contacts = StudyContacts::of(study, means, asked.kinds.all(), of_table)?;
         Ok(Self {
             scenes,
             others,
+            contacts,
             kinds,
             film,
             glued,
@@ -167,7 +175,22 @@ impl StudyTable {
             first,
             of: first + self.solves(),
         };
-        self.table_on(&self.scenes, plan, &mut place, context)
+        let (kinds, mut tested) = match self.table_on(&self.scenes, plan, &mut place, context)? {
+            Ok(found) => found,
+            Err(reason) => return Ok(Err(reason)),
+        };
+        if let Some(contacts) = &self.contacts {
+            let mut place = Place {
+                first: place.of,
+                ..place
+            };
+            let means = &plan.values()[0];
+            match contacts.solved(&kinds, means, &mut place, context)? {
+                Ok(differing) => tested.differing = Some(differing),
+                Err(reason) => return Ok(Err(reason)),
+            }
+        }
+        Ok(Ok(tested))
     }
 
     /// The tables of the other tires, solved after the own one's, and in what they differ from it.
@@ -187,25 +210,27 @@ impl StudyTable {
         let mut tables = Vec::new();
         for (tire, scenes) in &self.others {
             let table = self.table_on(scenes, plan, &mut place, context)?;
-            tables.push((*tire, table));
+            tables.push((*tire, table.map(|(_, tested)| tested)));
         }
         Ok(tables)
     }
 
+    /// Kinds of film, in volts, and their table.
     fn table_on(
         &self,
         scenes: &TableScenes,
         plan: &Plan,
         place: &mut Place,
         context: RunContext<'_>,
-    ) -> Result<Result<TestedTable, String>, RunError> {
+    ) -> Result<Result<(Vec<FilmKind>, TestedTable), String>, RunError> {
         let means = &plan.values()[0];
         let solved = match solve(scenes, &self.kinds, means, place, context)? {
             Ok(solved) => solved,
             Err(reason) => return Ok(Err(reason)),
         };
         let Some(films) = self.glued_films(scenes) else {
-            return Ok(tabulated(scenes, &self.kinds, &solved));
+            let kinds = self.kinds.clone();
+            return Ok(tabulated(scenes, &kinds, &solved).map(|tested| (kinds, tested)));
         };
         let answers = films.solve(means, place, context)?;
         Ok(answers.and_then(|answers| {
@@ -216,13 +241,13 @@ impl StudyTable {
             let depths: Vec<f64> = loads.iter().map(depth).collect();
             let (_, report) = films.put(&answers, (&kinds, &depths), &mut tested.table)?;
             tested.films = Some(report);
-            Ok(tested)
+            Ok((kinds, tested))
         }))
     }
 
     /// The films of a layout, as a rig asks for them.
     pub fn laid<'t>(&self, tested: &'t TestedTable, films: &[LaidFilm]) -> LaidFilms<'t> {
-        LaidFilms::new(&tested.table, &self.film, films)
+        LaidFilms::new(&tested.table, &self.film, films).under(tested.differing.as_ref())
     }
 }
 

@@ -10,6 +10,7 @@ use crate::points::RunError;
 use crate::points::SceneSeries;
 use crate::points::archive::Outcome;
 use crate::points::outcomes;
+use crate::response_table::differing_contacts::DifferingContacts;
 use crate::response_table::drag_basis::DRAGS;
 use crate::response_table::solved_table::ResponseTable;
 use crate::response_table::table_error::table_error;
@@ -26,6 +27,8 @@ pub struct TestedTable {
     pub error: Option<TableError>,
     /// Wheel angles of glued films, which are an axis.
     pub films: Option<FilmAnglesReport>,
+    /// Quantities that contacts differ in besides angle, depth and shift; none where they are alike.
+    pub differing: Option<DifferingContacts>,
 }
 
 /// Pressings with what became of them, the undragged ones first.
@@ -115,5 +118,6 @@ pub(crate) fn tabulated(
         table,
         error,
         films: None,
+        differing: None,
     })
 }

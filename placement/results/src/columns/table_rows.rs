@@ -4,7 +4,9 @@ use estimation::recipe::SplitKind;
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use crate::{DriftError, ElsewhereError, ForceError, RankedLayout, SplitError, StudyResult};
+use crate::{
+    AlikeError, DriftError, ElsewhereError, ForceError, RankedLayout, SplitError, StudyResult,
+};
 
 /// A part of an answer as JSON; null where it can't be said, which none of ours is.
 fn of(part: impl Serialize) -> Value {
@@ -118,6 +120,11 @@ pub fn force_on(other: &ElsewhereError, force: &ForceError) -> Value {
 /// The row of a force with another drift.
 pub fn force_with(drift: &DriftError, force: &ForceError) -> Value {
     json!({ "drift": drift, "force": force })
+}
+
+/// The row of a force where contacts are alike: as one with another drift.
+pub fn force_alike(alike: &AlikeError, force: &ForceError) -> Value {
+    json!({ "drift": alike, "force": force })
 }
 
 /// Error on runs that were left out, or cycles of one run.

@@ -29,6 +29,9 @@ pub struct ForceError {
     /// Errors there where readings drift otherwise, learnt anew with each drift.
     #[serde(skip_serializing_if = "Vec::is_empty", default)]
     pub drift: Vec<DriftError>,
+    /// Error on an upright wheel over flat ground at the scene's pressure, learnt anew; absent where all contacts are such.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub alike: Option<AlikeError>,
     /// Error there with the one film dead whose loss costs most; null where the training mean is given, which reads no film.
     pub dead: Option<DeadFilmError>,
     /// Error there with films that lie elsewhere than those that were learnt from.
@@ -147,6 +150,15 @@ pub struct DriftError {
     pub in_contact: TrialError,
 }
 
+/// Error where contacts differ in angle, load and shear alone.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
+pub struct AlikeError {
+    /// Error of the estimates then.
+    pub error: TrialError,
+    /// Error of the rows with a contact alone.
+    pub in_contact: TrialError,
+}
+
 /// Error with a film dead.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct DeadFilmError {
@@ -214,6 +226,7 @@ mod tests {
                 fresh: off_by(own),
                 in_contact: TrialError::default(),
                 drift: drift.collect(),
+                alike: None,
                 dead: None,
                 askew: AskewError::default(),
                 elsewhere: Vec::new(),

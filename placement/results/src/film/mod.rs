@@ -9,8 +9,8 @@ pub use film_signals::{
     ClaimRow, FilmPair, SignalCurve, SignalError, SignalRow, Signals, StressWidth,
 };
 pub use force_error::{
-    AskewError, DeadFilmError, DriftError, ElsewhereError, ForceError, SplitError, TrialError,
-    WorstContact,
+    AlikeError, AskewError, DeadFilmError, DriftError, ElsewhereError, ForceError, SplitError,
+    TrialError, WorstContact,
 };
 pub use force_findings::{FilmAnglesReport, ForceFindings, ForcePrice, TableError, TableReport};
 pub use signal_words::{Claim, Holds, SignalAxis, Trend};

@@ -3,11 +3,12 @@
 use fem_client::film::amplifier::Circuit;
 
 use crate::force_error::thinned_run::NEIGHBOURS;
+use documents::layouts::contact_laws::{ContactLaw, ContactQuantity};
 use documents::rig::gait_settings::{GaitSettings, RunLength};
 use documents::rig::rig_settings::{Electronics, Noise, RigSettings};
 
-/// Returns all that is assumed of a rig, a sentence each.
-pub fn assumed(settings: &RigSettings) -> Vec<String> {
+/// Returns all that is assumed of a rig whose contacts differ by these laws, a sentence each.
+pub fn assumed(settings: &RigSettings, contacts: &[ContactLaw]) -> Vec<String> {
     let mut sentences = vec![
         circuit(&settings.electronics),
         converter(&settings.electronics),
@@ -16,6 +17,7 @@ pub fn assumed(settings: &RigSettings) -> Vec<String> {
     sentences.push(relaxation(settings));
     sentences.push(clock(settings));
     sentences.extend(gait(&settings.gait));
+    sentences.push(ground(contacts));
     sentences.push(runs(settings));
     sentences.push(
         "Films and tire answer to each instant as to slow pressing: nothing has inertia, and the wheel turns in the air alone.".to_owned(),
@@ -153,6 +155,29 @@ fn gait(gait: &GaitSettings) -> [String; 2] {
     ]
 }
 
+fn ground(contacts: &[ContactLaw]) -> String {
+    let is_of =
+        |law: &&ContactLaw, quantities: &[ContactQuantity]| quantities.contains(&law.quantity);
+    let words = |quantities: &[ContactQuantity]| -> Vec<String> {
+        let own = contacts.iter().filter(|law| is_of(law, quantities));
+        own.map(ContactLaw::described).collect()
+    };
+    let of_stance = words(&[ContactQuantity::Camber, ContactQuantity::Uneven]);
+    let of_run = words(&[ContactQuantity::Pressure]);
+    let parts = [(of_stance, "stance"), (of_run, "run")];
+    let drawn = parts.into_iter().filter(|(words, _)| !words.is_empty());
+    let drawn: Vec<String> = drawn
+        .map(|(words, each)| format!("{}, drawn for each {each}", words.join(" and ")))
+        .collect();
+    match drawn.is_empty() {
+        true => "The wheel is upright, on flat ground.".to_owned(),
+        false => format!(
+            "Contacts have, as layouts.contacts says: {}; tractions are the shear's.",
+            drawn.join("; ")
+        ),
+    }
+}
+
 fn runs(settings: &RigSettings) -> String {
     let length = match settings.gait.length {
         RunLength::Stances(stances) => format!("{stances} stances"),
@@ -172,7 +197,7 @@ mod tests {
 
     #[test]
     fn a_default_rig_says_its_figures() {
-        let all = assumed(&RigSettings::default()).join("\n");
+        let all = assumed(&RigSettings::default(), &[]).join("\n");
         for part in [
             "a charge amplifier with 10 nF and 1000 Mohm: of a held charge 1/e is left after 10 s.",
             "twice each film's full scale with 12 bits",
@@ -208,7 +233,7 @@ mod tests {
         settings.films_follow_force = false;
         settings.runs = 1;
         settings.gait.length = RunLength::Stances(40);
-        let all = assumed(&settings).join("\n");
+        let all = assumed(&settings, &[]).join("\n");
         for part in [
             "10 Mohm by a cable of 0 pF; of a held charge 1/e is left after 0.07 s",
             "up to 5 V and doesn't round",
@@ -220,7 +245,7 @@ mod tests {
         settings.relaxation.clear();
         settings.electronics.circuit = Circuit::OpenCircuit;
         settings.electronics.time_constant_s = None;
-        let all = assumed(&settings).join("\n");
+        let all = assumed(&settings, &[]).join("\n");
         assert!(all.contains("The rubber doesn't relax.") && all.contains("from the films.\n"));
     }
 }

@@ -1,6 +1,6 @@
 //! Floor of the forces' errors from one instant's readings: the bound of Cramer and Rao, with what is known of the gait before.
 //!
-//! Unknown are the contact's angle, its depth and the ground's shift along and across. Films that hold their charge read them with white noise and gains of their own.
+//! Unknown are the contact's angle, its depth and the ground's shift along and across; what contacts differ in besides is taken as known, so that the floor is lower. Films that hold their charge read them with white noise and gains of their own.
 //! Before, each unknown is taken as normal with the deviation that the gait draws it with (van Trees' bound). An estimator that looks back over earlier readings,
 //! or a gait that isn't normal, can be a little better; drift, rounding and a circuit that forgets make all estimators worse.
 
@@ -8,7 +8,6 @@ use crate::contact_response::{Contact, ContactResponse};
 use crate::even_clock::EvenClock;
 use crate::gait::drawn_gait::Gait;
 use crate::gait::stance::shear_deviation;
-use crate::seeded_draws::{SeededDraws, Stream};
 use documents::rig::rig_settings::{Noise, RigSettings};
 use layouts::fisher::information::{Information, MOST};
 
@@ -33,8 +32,7 @@ pub(crate) fn floors_n<R: ContactResponse + ?Sized>(
     settings: &RigSettings,
 ) -> [f64; 3] {
     let run = settings.runs as u64;
-    let mut draws = SeededDraws::new(settings.seed, run, Stream::Gait);
-    let gait = Gait::drawn(&settings.gait, response, &mut draws);
+    let gait = Gait::drawn(&settings.gait, response, (settings.seed, run));
     let clock = EvenClock::new(0.0, INSTANTS / gait.end_s);
     let (mut squares, mut count) = ([0.0; 3], 0.0);
     for (time_s, stance, contact) in gait.contacts(clock, response) {
@@ -47,7 +45,7 @@ pub(crate) fn floors_n<R: ContactResponse + ?Sized>(
             response,
             &settings.noise,
             &prior,
-            stance.contact_deg,
+            (stance.contact_deg, &stance.shares),
             &contact,
         );
         for (sum, deviation) in squares.iter_mut().zip(deviations) {
@@ -62,11 +60,11 @@ fn deviations_n<R: ContactResponse + ?Sized>(
     response: &R,
     noise: &Noise,
     prior: &[f64; MOST],
-    contact_deg: f64,
+    at: (f64, &[f64]),
     contact: &Contact,
 ) -> [f64; 3] {
-    let here = answer(response, contact_deg, contact);
-    let slopes = slopes(response, contact_deg, contact);
+    let here = answer(response, at, contact);
+    let slopes = slopes(response, at, contact);
     let mut information = Information::of(MOST);
     for (film, full_scale_nc) in response.full_scale_nc().iter().enumerate() {
         let white = noise.white_share * full_scale_nc;
@@ -107,7 +105,7 @@ fn prior<R: ContactResponse + ?Sized>(
 /// Derivatives by the angle, the depth and both shifts.
 fn slopes<R: ContactResponse + ?Sized>(
     response: &R,
-    contact_deg: f64,
+    (contact_deg, shares): (f64, &[f64]),
     contact: &Contact,
 ) -> [Answer; MOST] {
     let largest_mm = response.sticking_shift_mm(contact.depth_mm);
@@ -124,7 +122,7 @@ fn slopes<R: ContactResponse + ?Sized>(
                 1 => contact.depth_mm += by,
                 _ => contact.shift_mm[unknown - 2] += by,
             }
-            answer(response, angle_deg, &contact)
+            answer(response, (angle_deg, shares), &contact)
         };
         let (high, low) = (beside(step), beside(-step));
         let slope = |high: f64, low: f64| (high - low) / (2.0 * step);
@@ -136,9 +134,13 @@ fn slopes<R: ContactResponse + ?Sized>(
     })
 }
 
-fn answer<R: ContactResponse + ?Sized>(response: &R, angle_deg: f64, contact: &Contact) -> Answer {
+fn answer<R: ContactResponse + ?Sized>(
+    response: &R,
+    (angle_deg, shares): (f64, &[f64]),
+    contact: &Contact,
+) -> Answer {
     let mut charges_nc = vec![0.0; response.films()];
-    let films = response.at_angle(angle_deg);
+    let films = response.at_angle(angle_deg, shares);
     let force_n = films.answer(contact, &mut charges_nc);
     Answer {
         charges_nc,
@@ -160,7 +162,7 @@ mod tests {
     /// Returns the deviations at touch-down.
     fn at_first(tire: &BumpResponse, settings: &RigSettings) -> [f64; 3] {
         let prior = prior(tire, settings, &CONTACT, 0.0);
-        deviations_n(tire, &settings.noise, &prior, 10.0, &CONTACT)
+        deviations_n(tire, &settings.noise, &prior, (10.0, &[]), &CONTACT)
     }
 
     fn quiet() -> RigSettings {

@@ -11,7 +11,7 @@ use crate::force_error::instant_floor::floors_n;
 use crate::force_error::learnt_force::{AxisRows, LearntForce, Unlearnt, labelled, learnt, recipe};
 use crate::force_error::thinned_run::{ThinnedRun, thinning};
 use documents::rig::rig_settings::RigSettings;
-use results::film::force_error::{AskewError, ForceError, TrialError};
+use results::film::force_error::{AlikeError, AskewError, ForceError, TrialError};
 
 /// Names of the forces, in the order of a contact's.
 const AXES: [&str; 3] = ["fx", "fy", "fz"];
@@ -29,19 +29,42 @@ pub fn force_errors<R: TurnableFilms>(
     let mut errors = errors.collect::<Option<Vec<ForceError>>>()?;
     for drift in drifts(&settings.noise) {
         let drifting = drift.of(settings);
-        let learning = Learning::recorded(response, others, &drifting, stop)?;
-        let runs = FreshRuns::recorded(response, &drifting, stop)?;
-        let useful = errors.iter_mut().enumerate();
-        for (axis, error) in useful.filter(|(_, error)| error.useful) {
-            let fresh = match learning.learnt(axis, stop) {
-                Ok(learnt) => runs.errors(&learnt, axis),
-                Err(Unlearnt::Reason(_)) => Fresh::default(),
-                Err(Unlearnt::Stopped) => return None,
-            };
-            error.drift.push(drift.error(&fresh));
-        }
+        let put = |error: &mut ForceError, fresh: &Fresh| error.drift.push(drift.error(fresh));
+        learn_anew(response, others, &drifting, &mut errors, put, stop)?;
+    }
+    if !response.differing().is_empty() {
+        let put = |error: &mut ForceError, fresh: &Fresh| {
+            error.alike = Some(AlikeError {
+                error: fresh.fresh,
+                in_contact: fresh.in_contact,
+            });
+        };
+        learn_anew(&response.alike(), &[], settings, &mut errors, put, stop)?;
     }
     Some(errors)
+}
+
+/// Learns the useful forces anew from other runs, tries what was learnt on such runs, and puts how far it is off; None where the caller stops meanwhile.
+fn learn_anew<R: TurnableFilms>(
+    response: &R,
+    others: &[OtherTire<R>],
+    settings: &RigSettings,
+    errors: &mut [ForceError],
+    put: impl Fn(&mut ForceError, &Fresh),
+    stop: &AtomicBool,
+) -> Option<()> {
+    let learning = Learning::recorded(response, others, settings, stop)?;
+    let runs = FreshRuns::recorded(response, settings, stop)?;
+    let useful = errors.iter_mut().enumerate();
+    for (axis, error) in useful.filter(|(_, error)| error.useful) {
+        let fresh = match learning.learnt(axis, stop) {
+            Ok(learnt) => runs.errors(&learnt, axis),
+            Err(Unlearnt::Reason(_)) => Fresh::default(),
+            Err(Unlearnt::Stopped) => return None,
+        };
+        put(error, &fresh);
+    }
+    Some(())
 }
 
 /// Runs that are learnt from.
@@ -137,6 +160,7 @@ fn tried(axis: usize, learnt: LearntForce, trials: &FreshTrials) -> ForceError {
         fresh,
         in_contact,
         drift: Vec::new(),
+        alike: None,
         dead: useful.then(dead).flatten(),
         askew: trials.askew(&learnt, axis),
         elsewhere: trials.elsewhere(&learnt, axis),
@@ -158,6 +182,7 @@ fn unknown(axis: usize, reason: String) -> ForceError {
         fresh: TrialError::default(),
         in_contact: TrialError::default(),
         drift: Vec::new(),
+        alike: None,
         dead: None,
         askew: AskewError::default(),
         elsewhere: Vec::new(),
@@ -173,6 +198,7 @@ pub(crate) mod tests {
 
     use super::*;
     use crate::bump_response::BumpResponse;
+    use crate::contact_response::DrawnFor;
     use documents::rig::gait_settings::RunLength;
     use results::film::force_error::SplitError;
 
@@ -283,6 +309,22 @@ pub(crate) mod tests {
         assert_eq!(own[0], both[0]);
         assert_eq!(own[1].time_s, both[1].time_s);
         assert_ne!(own[1].features, both[1].features);
+    }
+
+    /// Films that tell a depth don't tell the force of a tire whose stiffness isn't known.
+    #[test]
+    fn contacts_that_differ_are_tried_beside_those_that_are_alike() {
+        let alike = errors_of(&BumpResponse::new(6));
+        assert!(alike.iter().all(|error| error.alike.is_none()));
+        let many = errors_of(&BumpResponse::new(6).of_many(&[DrawnFor::Stance]));
+        let fz = &many[FZ];
+        let found = fz.alike.expect("useful");
+        assert_eq!(
+            (found.error, found.in_contact),
+            (alike[FZ].fresh, alike[FZ].in_contact)
+        );
+        let rmse = |error: &TrialError| error.rmse_n.expect("rows");
+        assert!(rmse(&fz.fresh) > 2.0 * rmse(&found.error), "{fz:?}");
     }
 
     #[test]

@@ -1,9 +1,9 @@
 //! The stances of a run, and the contact at the instants of a clock.
 
-use crate::contact_response::{Contact, ContactResponse};
+use crate::contact_response::{Contact, ContactResponse, DrawnFor};
 use crate::even_clock::EvenClock;
 use crate::gait::stance::Stance;
-use crate::seeded_draws::SeededDraws;
+use crate::seeded_draws::{SeededDraws, Stream};
 use documents::rig::gait_settings::{Frequency, GaitSettings, RunLength};
 
 /// The stances of one run, each turn after the other.
@@ -16,12 +16,16 @@ pub struct Gait {
 }
 
 impl Gait {
-    /// Draws a run on this tire. The wheel turns to the next contact angle between two stances, in the air.
+    /// Draws a run on this tire, by its seed and number. The wheel turns to the next contact angle between two stances, in the air.
     pub fn drawn<R: ContactResponse + ?Sized>(
         settings: &GaitSettings,
         response: &R,
-        draws: &mut SeededDraws,
+        (seed, run): (u64, u64),
     ) -> Self {
+        let mut draws = SeededDraws::new(seed, run, Stream::Gait);
+        let mut of_contact = SeededDraws::new(seed, run, Stream::Contact);
+        let differing = response.differing().iter();
+        let of_run: Vec<f64> = differing.map(|_| of_contact.uniform()).collect();
         let mut stances: Vec<Stance> = Vec::new();
         let mut begin_s = 0.0;
         let wanted = |number, begin_s| match settings.length {
@@ -29,9 +33,17 @@ impl Gait {
             RunLength::Seconds(seconds) => begin_s < seconds,
         };
         while wanted(stances.len(), begin_s) {
-            let stance = drawn_stance(settings, response, stances.len(), begin_s, draws);
+            let stance = drawn_stance(settings, response, stances.len(), begin_s, &mut draws);
             begin_s = stance.end_s();
-            stances.push(stance);
+            let shares = response.differing().iter().zip(&of_run);
+            let shares = shares.map(|(drawn_for, of_run)| match drawn_for {
+                DrawnFor::Stance => of_contact.uniform(),
+                DrawnFor::Run => *of_run,
+            });
+            stances.push(Stance {
+                shares: shares.collect(),
+                ..stance
+            });
         }
         let end_s = match settings.length {
             RunLength::Stances(_) => begin_s,
@@ -86,6 +98,7 @@ fn drawn_stance<R: ContactResponse + ?Sized>(
         load_n,
         peak_mm: response.depth_of_load_mm(load_n),
         shear: [shares(), shares()],
+        shares: Vec::new(),
     }
 }
 
@@ -102,11 +115,9 @@ mod tests {
     use super::*;
     use crate::bump_response::BumpResponse;
     use crate::contact_response::StanceResponse;
-    use crate::seeded_draws::Stream;
 
     fn gait(settings: &GaitSettings, seed: u64, run: u64) -> Gait {
-        let mut draws = SeededDraws::new(seed, run, Stream::Gait);
-        Gait::drawn(settings, &BumpResponse::new(6), &mut draws)
+        Gait::drawn(settings, &BumpResponse::new(6), (seed, run))
     }
 
     fn of_stances(frequency: Frequency, stances: usize) -> GaitSettings {
@@ -178,6 +189,39 @@ mod tests {
             for (a, b) in first.stances.iter().zip(&other.stances) {
                 assert!(a.load_n != b.load_n && a.contact_deg != b.contact_deg);
             }
+        }
+    }
+
+    /// Shares that a stance has to itself change from one to the next, those of a run don't; the stances are those of contacts that are alike.
+    #[test]
+    fn contacts_differ_by_stance_or_by_run() {
+        let settings = of_stances(Frequency::Fixed { hz: 2.0 }, 50);
+        let tire = BumpResponse::new(6).of_many(&[DrawnFor::Stance, DrawnFor::Run]);
+        let [first, second] = [0, 1].map(|run| Gait::drawn(&settings, &tire, (1, run)));
+        let shares = |gait: &Gait, number: usize| -> Vec<f64> {
+            gait.stances
+                .iter()
+                .map(|stance| stance.shares[number])
+                .collect()
+        };
+        let of_stance = shares(&first, 0);
+        assert!(of_stance.windows(2).all(|pair| pair[0] != pair[1]));
+        let [least, most] = [f64::min, f64::max].map(|of| of_stance.iter().copied().reduce(of));
+        // Of 50 even draws none lies below a tenth with a chance of 0.005.
+        assert!(least < Some(0.1) && most > Some(0.9));
+        let of_run = shares(&first, 1);
+        assert!(of_run.iter().all(|share| *share == of_run[0]));
+        assert_ne!(of_run[0], shares(&second, 1)[0]);
+        let alike = gait(&settings, 1, 0);
+        for (own, other) in alike.stances.iter().zip(first.stances) {
+            assert!(own.shares.is_empty());
+            assert_eq!(
+                *own,
+                Stance {
+                    shares: Vec::new(),
+                    ..other
+                }
+            );
         }
     }
 

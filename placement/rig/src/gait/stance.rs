@@ -12,7 +12,7 @@ use std::f64::consts::{PI, TAU};
 use crate::contact_response::{Contact, ContactResponse};
 
 /// A turn of the crank, from the highest point to the next one.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Stance {
     /// Number in the run, from 0.
     pub number: usize,
@@ -30,6 +30,8 @@ pub struct Stance {
     pub peak_mm: f64,
     /// Shares of the sliding shift, along and across, at touch-down and at lift-off.
     pub shear: [[f64; 2]; 2],
+    /// Shares of the laws of what contacts differ in besides, from 0 to 1; none where they are alike.
+    pub shares: Vec<f64>,
 }
 
 impl Stance {
@@ -84,6 +86,7 @@ mod tests {
         load_n: 20.0,
         peak_mm: 1.5,
         shear: [[0.5, -0.4], [-0.1, 0.2]],
+        shares: Vec::new(),
     };
 
     #[test]

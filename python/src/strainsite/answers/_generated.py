@@ -10,6 +10,7 @@ from typing import Any, Literal
 
 __all__ = [
     "AlikeContacts",
+    "AlikeError",
     "Answer",
     "AskewError",
     "AssumptionChange",
@@ -174,6 +175,16 @@ class AlikeContacts:
     """Depth of the second, mm."""
     sigmas: float
     """Distance of their readings in standard deviations of the noise."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class AlikeError:
+    """Error where contacts differ in angle, load and shear alone."""
+
+    error: TrialError
+    """Error of the estimates then."""
+    in_contact: TrialError
+    """Error of the rows with a contact alone."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -1151,6 +1162,9 @@ class ForceError:
     """Error there of the rows with a contact alone."""
     drift: tuple[DriftError, ...] = ()
     """Errors there where readings drift otherwise, learnt anew with each drift."""
+    alike: AlikeError | None = None
+    """Error on an upright wheel over flat ground at the scene's pressure, learnt anew; absent where all contacts are
+    such."""
     dead: DeadFilmError | None = None
     """Error there with the one film dead whose loss costs most; None where the training mean is given, which reads
     no film."""

@@ -5,7 +5,8 @@ use std::fmt::Write;
 use document::visible::visible;
 use results::columns::{self, Column, table_rows};
 use results::{
-    DriftError, ElsewhereError, ForceError, ForceFindings, RankedLayout, StudyResult, TableReport,
+    AlikeError, DriftError, ElsewhereError, ForceError, ForceFindings, RankedLayout, StudyResult,
+    TableReport,
 };
 use serde_json::Value;
 
@@ -17,6 +18,8 @@ use crate::cli::terminal::wrapping::{labelled, wrapped};
 
 const QUESTION: &str = "how far off are they, learnt from a virtual rig, on runs with other films?";
 const NAMES: &str = "rank  layout";
+/// Contacts that are alike.
+const UPRIGHT: &str = "an upright wheel on flat ground";
 /// Lines of layouts that are printed.
 const SHOWN: usize = 12;
 const AXES: [&str; 3] = ["fx", "fy", "fz"];
@@ -67,6 +70,7 @@ pub fn forces(result: &StudyResult) -> String {
     text.push_str(&untold(&told));
     text.push_str(&prices(findings, &told));
     text.push_str(&drifts(&told));
+    text.push_str(&alike(&told));
     text.push_str(&elsewhere(&told));
     text.push_str(&below(findings));
     text
@@ -150,6 +154,16 @@ fn drifts(told: &[(&RankedLayout, &ForceError)]) -> String {
         &table.view("drift"),
         rows,
     )
+}
+
+/// Says how far layouts are off where contacts differ in their angle, load and shear alone.
+fn alike(told: &[(&RankedLayout, &ForceError)]) -> String {
+    let table = columns::drifts();
+    let rows = |force: &ForceError| {
+        let with = |alike: &AlikeError| (UPRIGHT.to_owned(), table_rows::force_alike(alike, force));
+        force.alike.iter().map(with).collect()
+    };
+    changed(told, "learnt on", &table.view("drift"), rows)
 }
 
 /// Says, for each thing that is changed, what becomes of each layout's forces; `rows` has them with the change in words.

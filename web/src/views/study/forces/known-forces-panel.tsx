@@ -23,6 +23,7 @@ export function KnownForcesPanel({ layouts, findings }: { layouts: RankedLayout[
       <Prices known={known} prices={findings.price ?? []} />
       {known.length > 0 && <KnownTable known={known} />}
       <Drifts known={known} />
+      <Alike known={known} />
       <OtherTires known={known} />
       {(findings.reasons ?? []).map((reason) => (
         <p key={reason} class="flag">
@@ -99,6 +100,15 @@ function OtherTires({ known }: { known: KnownForce[] }) {
 function Drifts({ known }: { known: KnownForce[] }) {
   const rows = known.flatMap((one) => (one.force.drift ?? []).map((drift) => ({ ...one, change: drift.drift, row: { force: one.force, drift } })));
   return <Changed title="With another drift" changed="Drift, of full scale" columns={DRIFTS} rows={rows} />;
+}
+
+/** The same films under contacts that differ in angle, load and shear alone: what camber and uneven ground cost. */
+function Alike({ known }: { known: KnownForce[] }) {
+  const rows = known.flatMap((one) => {
+    const { alike } = one.force;
+    return alike ? [{ ...one, change: "upright, flat", row: { force: one.force, drift: alike } }] : [];
+  });
+  return <Changed title="Upright, on flat ground" changed="Contacts" columns={DRIFTS} rows={rows} />;
 }
 
 interface ChangedProps {
