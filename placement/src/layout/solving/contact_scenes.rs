@@ -218,7 +218,10 @@ impl<'s> ContactScenes<'s> {
                 steps: drawn.map(step).collect(),
             }
         };
-        (0..self.checks).map(check).collect()
+        let mut checks: Vec<CheckContact> = (0..self.checks).map(check).collect();
+        // The deepest take longest: begun last they would leave all threads but their own without work.
+        checks.sort_by(|a, b| b.depth_mm.total_cmp(&a.depth_mm));
+        checks
     }
 
     /// Contacts of that kind while no surface tells what a traction takes: as far as the largest one's step.

@@ -318,7 +318,11 @@ fn differ(
                     ..DepthFields::over_contacts(surface, Drawn::All, scatter == Scatter::Together)
                 };
             }
-            Err(reason) => *slot = Err(format!("Layouts have no scores: {reason}.")),
+            Err(reason) => {
+                *slot = Err(format!("Layouts have no scores: {reason}."));
+                // Of the next mesh nothing may have been solved.
+                break;
+            }
         }
     }
     Ok(findings)
