@@ -13,7 +13,7 @@ use documents::layouts::contact_laws::{ContactQuantity, Contacts};
 use documents::study::Study;
 use layouts::arrangement::FilmKind;
 use layouts::field::hermite::{Nodes, Turn, summed};
-use layouts::field::response_surface::{Given, ResponseSurface};
+use layouts::field::response_surface::{Drawn, ResponseSurface};
 use rig::contact_response::DrawnFor;
 
 /// Quantities that a study's contacts differ in, to be solved.
@@ -137,12 +137,14 @@ impl DifferingContacts {
 
     /// Changes of one stance's contact, with the quantities at these shares of their laws, of films of these kinds so many degrees from it.
     pub(super) fn of_stance(&self, shares: &[f64], films: &[(usize, f64)]) -> StanceChanges {
-        let laws: Vec<usize> = self.surface.laws_of_axes().collect();
-        let law = |axis: usize| &self.surface.laws()[laws[axis]];
-        let usual = (0..laws.len()).map(|axis| Given::Value(law(axis).quantity.usual()));
-        let mut given: Vec<Given> = usual.collect();
+        let mut of_axes = vec![0.0; self.surface.laws_of_axes().count()];
         for (axis, share) in self.axes.iter().zip(shares) {
-            given[*axis] = Given::Value(law(*axis).value_at(*share));
+            of_axes[*axis] = *share;
+        }
+        let all = self.surface.drawn(&of_axes, Drawn::All);
+        let mut given = self.surface.drawn(&of_axes, Drawn::Nothing);
+        for axis in &self.axes {
+            given[*axis] = all[*axis];
         }
         let mut changes = StanceChanges {
             depths: self.surface.depths().clone(),

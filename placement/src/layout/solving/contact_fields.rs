@@ -39,7 +39,7 @@ pub(crate) struct SolvedContacts<'s> {
 struct Read {
     /// Force along the ground's normal.
     force_n: f64,
-    /// Force in the wheel's frame; zero where the solver doesn't tell.
+    /// Force in the wheel's frame; that along the normal of an upright wheel where the solver doesn't tell.
     in_wheel_n: [f64; 3],
     signals: Vec<Vec<f64>>,
 }
