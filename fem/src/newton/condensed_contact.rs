@@ -361,11 +361,18 @@ fn touching_step(compliance: &Mat<f64>, blocks: &[Block<'_>], residual: &Col<f64
     let free = compliance * -residual;
     let own = Mat::from_fn(count, count, |i, j| compliance[(touching[i], touching[j])]);
     let mut matrix = Mat::<f64>::identity(count, count);
-    for block in blocks {
+    let faces: Vec<_> = blocks
+        .iter()
+        .map(|block| {
+            let columns = block.columns(&place_of);
+            let stiffness = block.matrix(&columns);
+            (columns, stiffness)
+        })
+        .collect();
+    for (columns, stiffness) in &faces {
         // C K face by face: K is as sparse as the surface.
-        let columns = block.columns(&place_of);
         let of_face = Mat::from_fn(count, columns.len(), |i, k| own[(i, columns[k].1)]);
-        let product = of_face * block.matrix(&columns);
+        let product = of_face * stiffness;
         for (k, &(_, place)) in columns.iter().enumerate() {
             let mut column = matrix.col_mut(place);
             column += product.col(k);
@@ -374,10 +381,9 @@ fn touching_step(compliance: &Mat<f64>, blocks: &[Block<'_>], residual: &Col<f64
     let of_free = Col::from_fn(count, |k| free[touching[k]]);
     let step = PartialPivLu::new(matrix.as_ref()).solve(of_free);
     let mut forces = -residual;
-    for block in blocks {
-        let columns = block.columns(&place_of);
+    for (columns, stiffness) in &faces {
         let own = Col::from_fn(columns.len(), |k| step[columns[k].1]);
-        let pushed = block.matrix(&columns) * own;
+        let pushed = stiffness * own;
         for (&(_, place), force) in columns.iter().zip(pushed.iter()) {
             forces[touching[place]] -= force;
         }
