@@ -527,6 +527,11 @@ export interface components {
             signal_error_rms: number;
             /**
              * Format: double
+             * @description What 95 % of the signals of other such contacts are claimed to be within: Student's t for so few contacts. None of a study before it was claimed.
+             */
+            signal_claim?: number | null;
+            /**
+             * Format: double
              * @description Largest error of a signal there, over the crown's largest.
              */
             signal_error_largest: number;
@@ -537,6 +542,11 @@ export interface components {
             slope_error_rms?: number | null;
             /**
              * Format: double
+             * @description What 95 % of such slopes are claimed to be within.
+             */
+            slope_claim?: number | null;
+            /**
+             * Format: double
              * @description Largest error of such a slope.
              */
             slope_error_largest?: number | null;
@@ -545,6 +555,11 @@ export interface components {
              * @description Root mean square error of the vertical force there, N.
              */
             force_error_n: number;
+            /**
+             * Format: double
+             * @description What 95 % of the forces are claimed to be within, N.
+             */
+            force_claim_n?: number | null;
             /** @description Quantities whose laws reach beyond what could be solved, in words: what is drawn ends there. */
             short?: string[];
         };
@@ -4810,14 +4825,16 @@ export interface components {
         LayoutContactsDocument: {
             /** @description Law of the wheel's inclination, degrees, within -30 to 30. */
             camber_deg?: components["schemas"]["DistributionDocument"];
-            /** @description Law of the force along the wheel over the vertical one, within four fifths of the friction. */
+            /** @description Law of the force along the wheel over the vertical one, within four fifths of the least friction. */
             traction?: components["schemas"]["DistributionDocument"];
-            /** @description Law of the force across the wheel over the vertical one, within four fifths of the friction. */
+            /** @description Law of the force across the wheel over the vertical one, within four fifths of the least friction. */
             side_traction?: components["schemas"]["DistributionDocument"];
             /** @description Law of each station's depth over the contact's, less one: independent of the others. */
             uneven?: components["schemas"]["DistributionDocument"];
             /** @description Law of the internal pressure over the scene's. */
             pressure_factor?: components["schemas"]["DistributionDocument"];
+            /** @description Law of the ground's friction over the scene's. */
+            friction_factor?: components["schemas"]["DistributionDocument"];
             /**
              * @description Scatter of films over these contacts, as an estimate takes it: known of all films together, so that what contacts differ in is estimated, too, or averaged over, as noise of each film. `together`: Known of all films together: what contacts differ in is estimated beside angle and depth. `each`: Noise of each film for its own: averaged over.
              * @default together

@@ -103,7 +103,7 @@ impl StudyContacts {
 fn drawn_for(quantity: ContactQuantity) -> Option<DrawnFor> {
     match quantity {
         ContactQuantity::Camber | ContactQuantity::Uneven => Some(DrawnFor::Stance),
-        ContactQuantity::Pressure => Some(DrawnFor::Run),
+        ContactQuantity::Pressure | ContactQuantity::Friction => Some(DrawnFor::Run),
         ContactQuantity::Traction | ContactQuantity::SideTraction => None,
     }
 }

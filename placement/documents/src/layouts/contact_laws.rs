@@ -6,7 +6,7 @@ use serde_json::{Map, Value};
 use document::Choice;
 use document::fields::Range;
 
-use crate::layouts::layout_bounds::{CAMBER, PRESSURE_FACTOR, TRACTION, UNEVEN};
+use crate::layouts::layout_bounds::{CAMBER, FRICTION_FACTOR, PRESSURE_FACTOR, TRACTION, UNEVEN};
 use crate::parts::distribution_reader::distribution_value;
 
 /// Field of how an estimate takes the scatter.
@@ -31,16 +31,19 @@ pub enum ContactQuantity {
     Uneven,
     /// Internal pressure over the scene's.
     Pressure,
+    /// Friction of the ground over the scene's.
+    Friction,
 }
 
 impl ContactQuantity {
     /// Quantities, all of them.
-    pub const ALL: [Self; 5] = [
+    pub const ALL: [Self; 6] = [
         Self::Camber,
         Self::Traction,
         Self::SideTraction,
         Self::Uneven,
         Self::Pressure,
+        Self::Friction,
     ];
 
     /// Returns its name in a document.
@@ -51,6 +54,7 @@ impl ContactQuantity {
             Self::SideTraction => "side_traction",
             Self::Uneven => "uneven",
             Self::Pressure => "pressure_factor",
+            Self::Friction => "friction_factor",
         }
     }
 
@@ -62,13 +66,14 @@ impl ContactQuantity {
             Self::SideTraction => "side traction",
             Self::Uneven => "uneven ground",
             Self::Pressure => "pressure",
+            Self::Friction => "friction",
         }
     }
 
-    /// Value of the contact for which a scene is made: upright, not dragged, on flat ground, at the scene's pressure.
+    /// Value of the contact for which a scene is made: upright, not dragged, on flat ground, at the scene's pressure and friction.
     pub const fn usual(self) -> f64 {
         match self {
-            Self::Pressure => 1.0,
+            Self::Pressure | Self::Friction => 1.0,
             _ => 0.0,
         }
     }
@@ -80,6 +85,7 @@ impl ContactQuantity {
             Self::Traction | Self::SideTraction => TRACTION,
             Self::Uneven => UNEVEN,
             Self::Pressure => PRESSURE_FACTOR,
+            Self::Friction => FRICTION_FACTOR,
         }
     }
 
@@ -88,21 +94,17 @@ impl ContactQuantity {
         match self {
             Self::Camber => "Law of the wheel's inclination, degrees, within -30 to 30.",
             Self::Traction => {
-                "Law of the force along the wheel over the vertical one, within four fifths of the friction."
+                "Law of the force along the wheel over the vertical one, within four fifths of the least friction."
             }
             Self::SideTraction => {
-                "Law of the force across the wheel over the vertical one, within four fifths of the friction."
+                "Law of the force across the wheel over the vertical one, within four fifths of the least friction."
             }
             Self::Uneven => {
                 "Law of each station's depth over the contact's, less one: independent of the others."
             }
             Self::Pressure => "Law of the internal pressure over the scene's.",
+            Self::Friction => "Law of the ground's friction over the scene's.",
         }
-    }
-
-    /// Whether it takes ground with friction.
-    pub(super) const fn needs_friction(self) -> bool {
-        matches!(self, Self::Traction | Self::SideTraction)
     }
 }
 

@@ -16,6 +16,7 @@ pub(super) const TRACTION: Range = Range::new(-2.0, 2.0, "");
 pub(super) const UNEVEN: Range = Range::new(-0.9, 0.9, "");
 pub(super) const FRICTION: Range = Range::new(0.0, 2.0, "");
 pub(super) const PRESSURE_FACTOR: Range = Range::new(0.5, 2.0, "");
+pub(super) const FRICTION_FACTOR: Range = Range::new(0.2, 4.0, "");
 pub(super) const PLACE: Range = Range::new(0.0, 30.0, "degrees");
 /// Most entries of a list of spacings, numbers of units, section angles or sets of directions.
 pub(super) const MOST_ENTRIES: usize = 50;

@@ -31,7 +31,7 @@ pub struct DepthFields {
     pub surface_error: Option<SurfaceError>,
 }
 
-/// Error of a response surface at contacts that it wasn't made from, root mean square.
+/// Standard deviation of a response surface's error at contacts that it wasn't made from.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SurfaceError {
     /// Error of a signal near the contact at the largest load, in its unit.

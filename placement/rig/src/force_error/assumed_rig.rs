@@ -163,7 +163,7 @@ fn ground(contacts: &[ContactLaw]) -> String {
         own.map(ContactLaw::described).collect()
     };
     let of_stance = words(&[ContactQuantity::Camber, ContactQuantity::Uneven]);
-    let of_run = words(&[ContactQuantity::Pressure]);
+    let of_run = words(&[ContactQuantity::Pressure, ContactQuantity::Friction]);
     let parts = [(of_stance, "stance"), (of_run, "run")];
     let drawn = parts.into_iter().filter(|(words, _)| !words.is_empty());
     let drawn: Vec<String> = drawn

@@ -125,7 +125,7 @@ impl SolvedContacts<'_> {
         let opposite = match axis.stepped {
             Stepped::Camber | Stepped::Shift(1) => Some([false, true]),
             Stepped::Shift(_) => Some([true, false]),
-            Stepped::Station(_) | Stepped::Pressure => None,
+            Stepped::Station(_) | Stepped::Pressure | Stepped::Friction => None,
         };
         let mut nodes = vec![node(0.0, quantity.usual(), &usual)];
         for (step, outcome) in solved.steps().into_iter().zip(outcomes) {
@@ -250,10 +250,13 @@ impl SolvedContacts<'_> {
             laws: self.scenes.laws.iter().map(ContactLaw::described).collect(),
             checks: solved.len(),
             signal_error_rms: near.rms(),
+            signal_claim: Some(near.claim(solved.len())),
             signal_error_largest: all.worst(),
             slope_error_rms: Some(near_slopes.rms()),
+            slope_claim: Some(near_slopes.claim(solved.len())),
             slope_error_largest: Some(slopes.worst()),
             force_error_n: forces.rms(),
+            force_claim_n: Some(forces.claim(solved.len())),
             short: self.short(surface),
         })
     }

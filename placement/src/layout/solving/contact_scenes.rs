@@ -35,6 +35,8 @@ pub(crate) enum Stepped {
     Station(usize),
     /// Internal pressure.
     Pressure,
+    /// Friction of the ground.
+    Friction,
 }
 
 /// Axis of the surface, as it is solved.
@@ -75,7 +77,7 @@ impl PlannedAxis {
     pub fn steps(&self) -> [f64; 2] {
         match self.stepped {
             Stepped::Camber | Stepped::Shift(_) => ONE_SIDE,
-            Stepped::Station(_) | Stepped::Pressure => BOTH_SIDES,
+            Stepped::Station(_) | Stepped::Pressure | Stepped::Friction => BOTH_SIDES,
         }
     }
 
@@ -91,6 +93,7 @@ impl PlannedAxis {
             }
             Stepped::Station(station) => scene.ground.depths_mm[station] *= 1.0 + by,
             Stepped::Pressure => scene.pressure.internal_mpa *= 1.0 + by,
+            Stepped::Friction => scene.contact.friction *= 1.0 + by,
         }
     }
 }
@@ -109,6 +112,7 @@ impl<'s> ContactScenes<'s> {
                 // Those behind the middle are images of those before it.
                 ContactQuantity::Uneven => (0..=stations / 2).map(Stepped::Station).collect(),
                 ContactQuantity::Pressure => vec![Stepped::Pressure],
+                ContactQuantity::Friction => vec![Stepped::Friction],
             };
             let reach = own.reach();
             let axis = move |stepped| PlannedAxis {

@@ -13,6 +13,9 @@ use results::ContactFindings;
 /// Depths nearer than this are one, mm.
 const SAME_DEPTH_MM: f64 = 1e-6;
 
+/// Standard deviations of a bell that hold 95 % of it.
+const NORMAL_95: f64 = 1.959_964;
+
 /// The sample of a film at the contact's centre.
 pub const CONTACT: usize = DEGREES / 2;
 
@@ -120,12 +123,12 @@ impl MeshFields {
         signals.fold(0.0, |largest: f64, signal| largest.max(signal.abs()))
     }
 
-    /// Error of a surface over contacts beside this field, of which shares are known.
+    /// Deviation of a surface over contacts beside this field, of which shares are claimed.
     pub(crate) fn surface_error(&self, found: &ContactFindings) -> SurfaceError {
         let deepest = self.depths().into_iter().fold(0.0, f64::max);
         SurfaceError {
-            signal: found.signal_error_rms * self.crown_at(deepest),
-            force_n: found.force_error_n,
+            signal: found.signal_claim.unwrap_or(0.0) / NORMAL_95 * self.crown_at(deepest),
+            force_n: found.force_claim_n.unwrap_or(0.0) / NORMAL_95,
         }
     }
 }

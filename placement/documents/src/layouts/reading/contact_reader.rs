@@ -102,17 +102,32 @@ pub(super) fn check_contacts(
         return;
     };
     check_usual(scene, &pointer, "are", faults);
+    let pulls = OF_FRICTION * least_friction(&layouts.contacts.laws, scene);
     for law in &layouts.contacts.laws {
-        let most = OF_FRICTION * scene.contact.friction;
-        if law.quantity.needs_friction() && law.reach() > most {
-            let detail = format!(
-                "must stay within {OF_FRICTION} of the scene's contact.friction, {}; it reaches {}",
-                plain(most),
-                plain(law.reach())
-            );
-            Fault::add(faults, &member(&pointer, law.quantity.as_str()), detail);
-        }
+        let detail = match law.quantity {
+            ContactQuantity::Traction | ContactQuantity::SideTraction if law.reach() > pulls => {
+                format!(
+                    "must stay within {OF_FRICTION} of the least contact.friction, {}; it reaches {}",
+                    plain(pulls),
+                    plain(law.reach())
+                )
+            }
+            ContactQuantity::Friction if scene.contact.friction == 0.0 => {
+                "is a share of the scene's contact.friction, which is 0: give it one".to_owned()
+            }
+            _ => continue,
+        };
+        Fault::add(faults, &member(&pointer, law.quantity.as_str()), detail);
     }
+}
+
+/// Least friction of contacts on a scene's ground.
+fn least_friction(laws: &[ContactLaw], scene: &Scene) -> f64 {
+    let law = laws
+        .iter()
+        .find(|law| law.quantity == ContactQuantity::Friction);
+    let [least, _] = law.map_or([1.0; 2], ContactLaw::ends);
+    least * scene.contact.friction
 }
 
 #[cfg(test)]
@@ -181,7 +196,7 @@ mod tests {
             (
                 even("traction", -0.3, 0.41),
                 "",
-                "/layouts/contacts/traction: must stay within 0.8 of the scene's contact.friction, 0.4",
+                "/layouts/contacts/traction: must stay within 0.8 of the least contact.friction, 0.4",
             ),
             (
                 even("uneven", -0.3, 0.3),
@@ -192,6 +207,16 @@ mod tests {
                 even("uneven", -0.3, 0.3),
                 "shear = true",
                 "/layouts/contacts: and layouts.shear are two models",
+            ),
+            (
+                even("traction", -0.3, 0.3) + &even("friction_factor", 0.6, 1.4),
+                "",
+                "/layouts/contacts/traction: must stay within 0.8 of the least contact.friction, 0.24",
+            ),
+            (
+                even("friction_factor", 0.1, 1.4),
+                "",
+                "/layouts/contacts/friction_factor: must stay from 0.2 to 4",
             ),
             (even("wind", -0.3, 0.3), "", "/layouts/contacts/wind"),
             (

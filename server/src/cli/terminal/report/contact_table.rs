@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use document::visible::visible;
-use results::{RankedLayout, StudyResult, ToldQuantity};
+use results::{ContactFindings, RankedLayout, StudyResult, ToldQuantity};
 
 use crate::cli::terminal::paint::{FAINT, HEADER, painted};
 use crate::cli::terminal::report::layout_table::{NAMED, described};
@@ -23,27 +23,41 @@ pub(super) fn contacts(result: &StudyResult) -> String {
         text.push_str(&by_quantity(layout));
         text.push_str(&told(layout));
     }
-    let slopes = match (findings.slope_error_rms, findings.slope_error_largest) {
-        (Some(rms), Some(largest)) => format!(
-            " their slopes over the angle by {:.1} % of its steepest, and by {:.0} % at most;",
-            100.0 * rms,
-            100.0 * largest
-        ),
-        _ => String::new(),
-    };
-    let surface = format!(
-        "Signals of contacts are off by {:.1} % of the crown's largest, root mean square, and by {:.0} % at most;{slopes} forces by {:.2} N: at {} contacts of all at once, which they weren't made from.",
-        100.0 * findings.signal_error_rms,
-        100.0 * findings.signal_error_largest,
-        findings.force_error_n,
-        findings.checks
-    );
-    text.push_str(&wrapped(&surface, 0));
+    text.push_str(&wrapped(&surface_words(findings), 0));
     for short in &findings.short {
         let short = format!("Drawn no further than could be solved: {short}.");
         text.push_str(&painted(FAINT, wrapped(&visible(&short), 0)));
     }
     text
+}
+
+/// Errors of the surface over contacts, and what they claim of others.
+fn surface_words(findings: &ContactFindings) -> String {
+    let within = |claim: Option<f64>| {
+        claim.map_or_else(String::new, |claim| {
+            format!(" (95 % within {:.1} %)", 100.0 * claim)
+        })
+    };
+    let slopes = match (findings.slope_error_rms, findings.slope_error_largest) {
+        (Some(rms), Some(largest)) => format!(
+            " their slopes over the angle by {:.1} % of its steepest{}, and by {:.0} % at most;",
+            100.0 * rms,
+            within(findings.slope_claim),
+            100.0 * largest
+        ),
+        _ => String::new(),
+    };
+    let force = findings
+        .force_claim_n
+        .map_or_else(String::new, |claim| format!(" (95 % within {claim:.2} N)"));
+    format!(
+        "Signals of contacts are off by {:.1} % of the crown's largest, root mean square{}, and by {:.0} % at most;{slopes} forces by {:.2} N{force}: at {} contacts of all at once, which they weren't made from.",
+        100.0 * findings.signal_error_rms,
+        within(findings.signal_claim),
+        100.0 * findings.signal_error_largest,
+        findings.force_error_n,
+        findings.checks
+    )
 }
 
 /// Errors of what the films tell of the contact beside angle and force; nothing where an estimate averages over it.

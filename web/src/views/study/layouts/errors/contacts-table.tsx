@@ -8,8 +8,11 @@ export function ContactsTable({ layout, contacts }: { layout: RankedLayout | und
   const alone = layout?.contacts ?? [];
   if (layout === undefined || contacts == null || alone.length === 0) return null;
   const [rms, largest] = [contacts.slope_error_rms, contacts.slope_error_largest];
+  const within = (claim: number | null | undefined) => (claim == null ? "" : ` (95 % within ${short(100 * claim)} %)`);
   const slopes =
-    rms == null || largest == null ? "" : `, their slopes over the angle by ${short(100 * rms)} % of its steepest and ${short(100 * largest)} % at most`;
+    rms == null || largest == null
+      ? ""
+      : `, their slopes over the angle by ${short(100 * rms)} % of its steepest${within(contacts.slope_claim)} and ${short(100 * largest)} % at most`;
   return (
     <>
       <h3>What makes the error of {layoutWords(layout)}</h3>
@@ -29,8 +32,9 @@ export function ContactsTable({ layout, contacts }: { layout: RankedLayout | und
       <ToldQuantities told={layout.told ?? []} />
       <p class="quiet">
         Each at the load where it is worst. Errors are over {contacts.laws.join(", ")}; the estimate knows their laws, not their values. Signals of contacts
-        come from few solves: they are off by {short(100 * contacts.signal_error_rms)} % of the crown's largest, root mean square, and by{" "}
-        {short(100 * contacts.signal_error_largest)} % at most{slopes}, at {contacts.checks} contacts that they weren't made from.
+        come from few solves: they are off by {short(100 * contacts.signal_error_rms)} % of the crown's largest, root mean square
+        {within(contacts.signal_claim)}, and by {short(100 * contacts.signal_error_largest)} % at most{slopes}, at {contacts.checks} contacts that they weren't
+        made from.
         {(contacts.short ?? []).map((each) => ` Drawn no further than could be solved: ${each}.`)}
       </p>
     </>
