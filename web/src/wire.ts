@@ -527,7 +527,7 @@ export interface components {
             signal_error_rms: number;
             /**
              * Format: double
-             * @description What 95 % of the signals of other such contacts are claimed to be within: Student's t for so few contacts. None of a study before it was claimed.
+             * @description Claim that 95 % of the errors of signals at other such contacts are within this, over the crown's largest: Student's t for so few contacts. None of a study before claims.
              */
             signal_claim?: number | null;
             /**
@@ -542,7 +542,7 @@ export interface components {
             slope_error_rms?: number | null;
             /**
              * Format: double
-             * @description What 95 % of such slopes are claimed to be within.
+             * @description Claim for such slopes.
              */
             slope_claim?: number | null;
             /**
@@ -557,7 +557,7 @@ export interface components {
             force_error_n: number;
             /**
              * Format: double
-             * @description What 95 % of the forces are claimed to be within, N.
+             * @description Claim for the force, N.
              */
             force_claim_n?: number | null;
             /** @description Quantities whose laws reach beyond what could be solved, in words: what is drawn ends there. */
@@ -4875,6 +4875,11 @@ export interface components {
             camber_deg?: number;
             /** @description Friction of the ground, unknown to an estimate; not changed when left out. */
             friction?: number;
+            /**
+             * @description Model of the films in place of the layouts' own, which an estimate knows; not changed when left out. Glued ones are solved around the wheel. `bare`: Film that follows the wall and resists nothing. `transfer`: Bare, its strains made tensions by a matrix that two coupled solves give. `coupled`: Film glued to the wall, with its stiffness.
+             * @enum {string}
+             */
+            film?: "bare" | "transfer" | "coupled";
         };
         /** @description Question that a study's layouts answer: the best with so many films, or the fewest films that keep errors within limits. */
         QuestionDocument: {

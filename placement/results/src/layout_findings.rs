@@ -58,7 +58,7 @@ pub struct ContactFindings {
     pub checks: usize,
     /// Root mean square error of the signals there within 30 degrees of the contact, over the crown's largest at that depth.
     pub signal_error_rms: f64,
-    /// What 95 % of the signals of other such contacts are claimed to be within: Student's t for so few contacts. None of a study before it was claimed.
+    /// Claim that 95 % of the errors of signals at other such contacts are within this, over the crown's largest: Student's t for so few contacts. None of a study before claims.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub signal_claim: Option<f64>,
     /// Largest error of a signal there, over the crown's largest.
@@ -66,7 +66,7 @@ pub struct ContactFindings {
     /// Root mean square error of the signals' slopes over the contact's angle there, over the crown's steepest; none of a study that didn't judge them.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub slope_error_rms: Option<f64>,
-    /// What 95 % of such slopes are claimed to be within.
+    /// Claim for such slopes.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub slope_claim: Option<f64>,
     /// Largest error of such a slope.
@@ -74,7 +74,7 @@ pub struct ContactFindings {
     pub slope_error_largest: Option<f64>,
     /// Root mean square error of the vertical force there, N.
     pub force_error_n: f64,
-    /// What 95 % of the forces are claimed to be within, N.
+    /// Claim for the force, N.
     #[serde(skip_serializing_if = "Option::is_none", default)]
     pub force_claim_n: Option<f64>,
     /// Quantities whose laws reach beyond what could be solved, in words: what is drawn ends there.

@@ -3,6 +3,7 @@
 use fem_client::scene::Scene;
 
 use documents::layouts::layout_settings::Layouts;
+use documents::parts::film_model::FilmModel;
 use layouts::field::film_field::Noise;
 
 /// An assumption with its changed value.
@@ -22,6 +23,8 @@ pub(super) enum Changed {
     Camber(f64),
     /// Friction of the ground, with that of the scene.
     Friction(f64, f64),
+    /// Model of the films.
+    Film(FilmModel),
 }
 
 impl Changed {
@@ -54,6 +57,13 @@ impl Changed {
         all.into_iter().flatten().collect()
     }
 
+    /// Change of the films that a study asks for, where these aren't such ones.
+    pub fn of_films(settings: &Layouts) -> Option<Self> {
+        let asked = settings.assumptions.film;
+        let other = asked.filter(|model| *model != settings.model());
+        other.map(Self::Film)
+    }
+
     /// Name of the assumption.
     pub fn name(&self) -> &'static str {
         match self {
@@ -64,6 +74,7 @@ impl Changed {
             Self::Pressure(_) => "pressure",
             Self::Camber(_) => "camber",
             Self::Friction(..) => "friction",
+            Self::Film(_) => "film",
         }
     }
 
@@ -85,6 +96,9 @@ impl Changed {
             Self::Pressure(factor) => format!("a pressure {} higher", percent(factor - 1.0)),
             Self::Camber(camber) => format!("a wheel that leans by {camber} degrees"),
             Self::Friction(value, own) => format!("a friction of {value} in place of {own}"),
+            Self::Film(FilmModel::Bare) => "films that resist nothing".to_owned(),
+            Self::Film(FilmModel::Transfer) => "glued films, by their transfer alone".to_owned(),
+            Self::Film(FilmModel::Coupled) => "films glued on, with their stiffness".to_owned(),
         }
     }
 
@@ -107,7 +121,7 @@ impl Changed {
                 place_std_deg: *place_std_deg,
                 ..own
             },
-            Self::Pressure(_) | Self::Camber(_) | Self::Friction(..) => own,
+            Self::Pressure(_) | Self::Camber(_) | Self::Friction(..) | Self::Film(_) => own,
         }
     }
 
@@ -117,7 +131,7 @@ impl Changed {
             Self::Pressure(factor) => scene.pressure.internal_mpa *= factor,
             Self::Camber(camber) => scene.ground.camber_deg = *camber,
             Self::Friction(value, _) => scene.contact.friction = *value,
-            Self::Noise(_) | Self::Drift(_) | Self::Gain(_) | Self::Place(_) => {}
+            Self::Noise(_) | Self::Drift(_) | Self::Gain(_) | Self::Place(_) | Self::Film(_) => {}
         }
     }
 }
@@ -145,11 +159,13 @@ mod tests {
             pressure_factor: Some(0.9),
             camber_deg: Some(0.0),
             friction: Some(0.5),
+            film: Some(FilmModel::Bare),
             ..Assumptions::default()
         };
         settings.noise.gain_std = 0.2;
         let changed = Changed::of_readings(&settings);
         assert_eq!(changed, [Changed::Gain(0.4), Changed::Place(2.0)]);
+        assert_eq!(Changed::of_films(&settings), None);
         let of_scene = Changed::of_scene(&settings, &Scene::default());
         assert_eq!(
             of_scene,
@@ -171,6 +187,10 @@ mod tests {
             (
                 Changed::Friction(0.5, 0.0),
                 "a friction of 0.5 in place of 0",
+            ),
+            (
+                Changed::Film(FilmModel::Coupled),
+                "films glued on, with their stiffness",
             ),
         ];
         for (changed, words) in told {

@@ -8,6 +8,7 @@ use fem_client::scene::{Level, Scene};
 use fem_client::solver::Response;
 
 use super::changed::Changed;
+use super::changed_films::expected_series;
 use crate::layout::solving::layout_fields::samples;
 use crate::layout::solving::layout_scenes::{LayoutScenes, readout};
 use crate::layout::solving::measuring_layouts::ScoredLayouts;
@@ -25,14 +26,17 @@ pub(super) const OTHERS: usize = 2;
 
 /// All that is solved for changed assumptions of a study's layouts.
 pub(crate) fn assumption_series(study: &Study, plan: &Plan) -> Vec<SceneSeries> {
+    let scenes = LayoutScenes::of(&study.layouts, &plan.points[0]);
+    let Some(scenes) = scenes.ok().filter(|_| study.layouts.is_asked()) else {
+        return Vec::new();
+    };
     let changes = Changed::of_scene(&study.layouts, &plan.points[0]);
-    match LayoutScenes::of(&study.layouts, &plan.points[0]) {
-        Ok(scenes) if study.layouts.is_asked() && !changes.is_empty() => {
-            let level = study.layouts.level_on(study.level);
-            series((&scenes, level), &changes, Asked::of(study).kinds.all())
-        }
-        _ => Vec::new(),
+    let level = study.layouts.level_on(study.level);
+    let mut all = series((&scenes, level), &changes, Asked::of(study).kinds.all());
+    if let Some(change) = Changed::of_films(&study.layouts) {
+        all.extend(expected_series(study, &scenes, &change));
     }
+    all
 }
 
 /// Returns how often a layout is scored at a load with an assumption changed, where every layout keeps it.
@@ -43,11 +47,13 @@ pub(crate) fn changed_scorings(study: &Study, plan: &Plan) -> usize {
     let scene = &plan.points[0];
     let loads = LayoutScenes::of(&study.layouts, scene).map_or(0, |scenes| scenes.loads.len());
     let of_scene = Changed::of_scene(&study.layouts, scene);
-    let changes = Changed::of_readings(&study.layouts).len() + of_scene.len();
+    let of_films = Changed::of_films(&study.layouts);
+    let changes =
+        Changed::of_readings(&study.layouts).len() + of_scene.len() + of_films.iter().len();
     changes * loads * Asked::of(study).layouts.len().min(1 + OTHERS)
 }
 
-/// A series for each load of layouts on a level: the scene as assumed, then each change of it.
+/// A series for each load of layouts on a level: the scene as assumed, then each change of it; none without a change.
 pub(super) fn series(
     (scenes, level): (&LayoutScenes, Level),
     changes: &[Changed],
@@ -63,7 +69,10 @@ pub(super) fn series(
         let all = std::iter::once(assumed.clone()).chain(changed);
         SceneSeries::from_first(all.collect(), readout(kinds))
     };
-    scenes.loads.iter().copied().map(of_load).collect()
+    match changes.is_empty() {
+        true => Vec::new(),
+        false => scenes.loads.iter().copied().map(of_load).collect(),
+    }
 }
 
 /// Contacts of one change, one for each load that was reached.

@@ -2,6 +2,7 @@
 
 use super::changed::Changed;
 use super::changed_errors::Compared;
+use super::changed_films::solved;
 use super::changed_scenes::{OTHERS, contacts, series};
 use crate::answer::{Figures, contenders};
 use crate::layout::solving::judged_layouts::noise;
@@ -11,6 +12,7 @@ use crate::points::{Place, RunContext, RunError, outcomes_of_all};
 use documents::study::Study;
 use documents::study::plan::Plan;
 use layouts::arrangement::Arrangement;
+use layouts::field::film_field::Noise;
 use layouts::simulate::drawn_contacts::TrueContact;
 use results::{AssumptionChange, AssumptionFindings, RankedLayout, StudyResult};
 
@@ -48,22 +50,16 @@ pub(crate) fn measure(
     };
     let of_scene = Changed::of_scene(&study.layouts, &plan.points[0]);
     let all = series((&scored.scenes, scored.level), &of_scene, &scored.kinds);
-    let solved = match of_scene.is_empty() {
-        true => Vec::new(),
-        false => {
-            let mut place = Place {
-                first,
-                of: first + all.iter().map(|series| series.scenes.len()).sum::<usize>(),
-            };
-            let solved = outcomes_of_all(&all, &plan.values()[0], &mut place, context)?;
-            result.cost.layout_solves += place.first - first;
-            solved
-        }
+    let means = &plan.values()[0];
+    let mut place = Place {
+        first,
+        of: first + all.iter().map(|series| series.scenes.len()).sum::<usize>(),
     };
+    let scenes = outcomes_of_all(&all, means, &mut place, context)?;
     let mut unchanged = Vec::new();
     let mut changes = of_readings(study);
     for (number, change) in of_scene.into_iter().enumerate() {
-        match contacts(scored, number, &solved) {
+        match contacts(scored, number, &scenes) {
             Ok(contacts) => changes.push((change, Some(contacts))),
             Err(reason) => unchanged.push(format!("{}: {reason}", change.name())),
         }
@@ -73,6 +69,14 @@ pub(crate) fn measure(
         compared.changed(change, contacts.as_deref())
     });
     let mut found: Vec<AssumptionChange> = found.ok_or(RunError::Stopped)?;
+    if let Some(change) = Changed::of_films(&study.layouts) {
+        let changed = (study, scored, &change);
+        match with_films(&compared, changed, means, &mut place, context)? {
+            Ok(change) => found.push(change),
+            Err(reason) => unchanged.push(format!("{}: {reason}", change.name())),
+        }
+    }
+    result.cost.layout_solves += place.first - first;
     found.sort_by(|a, b| b.times.total_cmp(&a.times));
     unchanged.extend(not_asked(study));
     if let Some(findings) = &mut result.layout_findings {
@@ -85,6 +89,32 @@ pub(crate) fn measure(
         });
     }
     Ok(())
+}
+
+/// Errors with films of another model, whose noise is the same share of what the crown feels.
+fn with_films(
+    compared: &Compared<'_>,
+    (study, scored, change): (&Study, &ScoredLayouts, &Changed),
+    means: &[f64],
+    place: &mut Place,
+    context: RunContext<'_>,
+) -> Result<Result<AssumptionChange, String>, RunError> {
+    let layouts: Vec<&Arrangement> = compared.layouts.iter().map(|(_, own)| *own).collect();
+    let other = solved((study, change), (scored, &layouts), means, place, context)?;
+    Ok(other.map(|other| {
+        let ranks = compared.layouts.iter().map(|(rank, _)| *rank);
+        let own = compared.noise;
+        let relaid = Compared {
+            fields: &other.fields,
+            noise: Noise {
+                floor: own.floor / compared.fields.crown * other.fields.crown,
+                ..own
+            },
+            layouts: ranks.zip(&other.layouts).collect(),
+            ..*compared
+        };
+        relaid.changed(change, None)
+    }))
 }
 
 fn of_readings(study: &Study) -> Vec<(Changed, Option<Vec<TrueContact>>)> {
@@ -102,10 +132,12 @@ fn not_asked(study: &Study) -> Vec<String> {
     let all = [
         ("pressure", asked.pressure_factor, "pressure_factor"),
         ("camber", asked.camber_deg, "camber_deg"),
-        ("friction", asked.friction, "friction"),
+        ("friction", asked.friction, "friction_factor"),
     ];
     let missing = all
         .into_iter()
         .filter(|(_, value, law)| value.is_none() && !has_law(law));
-    missing.map(|(name, ..)| name.to_owned()).collect()
+    let film = asked.film.is_none().then_some("film");
+    let missing = missing.map(|(name, ..)| name).chain(film);
+    missing.map(str::to_owned).collect()
 }

@@ -5,6 +5,7 @@ use fem_client::solver::Grid;
 use gsa::method::Kind;
 
 use crate::ladder::fidelity::Fidelity;
+use documents::layouts::assumptions::Assumptions;
 use documents::layouts::layout_settings::{LayoutLoads, Layouts};
 use documents::study::{Accuracy, Study};
 
@@ -94,6 +95,10 @@ fn lighter(study: &Study, left_out: &mut Vec<String>) -> Layouts {
         level: None,
         search: None,
         candidate_sizes_mm: Vec::new(),
+        assumptions: Assumptions {
+            film: None,
+            ..asked.assumptions
+        },
         ..asked.clone()
     };
     for (differs, what) in [

@@ -49,7 +49,7 @@ fn a_changed_error_of_readings_is_that_of_a_study_that_assumes_it() {
         [found.angle_error_deg, found.force_error_n],
         figures(&result)
     );
-    assert_eq!(found.unchanged, ["pressure", "camber", "friction"]);
+    assert_eq!(found.unchanged, ["pressure", "camber", "friction", "film"]);
     let names: Vec<&str> = found
         .changes
         .iter()
@@ -116,6 +116,7 @@ fn a_pressure_that_nobody_knows_makes_the_force_that_the_formula_says() {
             pressure_factor: Some(0.9),
             camber_deg: None,
             friction: Some(0.5),
+            film: None,
         };
     }));
     let softer: f64 = 20.0 / 19.0;
@@ -130,7 +131,7 @@ fn a_pressure_that_nobody_knows_makes_the_force_that_the_formula_says() {
     let found = change(&result, "friction");
     let assumed = findings(&result);
     assert_eq!(found.angle_error_deg, assumed.angle_error_deg);
-    assert_eq!(assumed.unchanged, ["camber"]);
+    assert_eq!(assumed.unchanged, ["camber", "film"]);
     // Five depths, and the load as assumed with two changes: on the draft and without a coarser mesh.
     assert_eq!(result.cost.layout_solves, 5 + 3);
     let told = result.answer.unwrap().rests_on.unwrap();
@@ -181,7 +182,7 @@ fn a_changed_scene_without_an_equilibrium_costs_that_change_alone() {
     let found = findings(&result);
     assert_eq!(
         found.unchanged,
-        ["camber: not-converged: it tips over", "friction"]
+        ["camber: not-converged: it tips over", "friction", "film"]
     );
     assert_eq!(change(&result, "pressure").of, "pressure");
     assert_eq!(result.layouts.len(), 2);

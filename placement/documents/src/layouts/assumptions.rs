@@ -2,6 +2,8 @@
 
 use serde_json::{Map, Value};
 
+use crate::parts::film_model::FilmModel;
+
 /// Changed assumptions. Noise and films are always looked at; the others are where they have a value, as they take solves.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Assumptions {
@@ -19,6 +21,8 @@ pub struct Assumptions {
     pub camber_deg: Option<f64>,
     /// Friction of the ground, which an estimate doesn't know.
     pub friction: Option<f64>,
+    /// Model of the films, which an estimate knows.
+    pub film: Option<FilmModel>,
 }
 
 impl Default for Assumptions {
@@ -33,15 +37,16 @@ impl Default for Assumptions {
             pressure_factor: None,
             camber_deg: None,
             friction: None,
+            film: None,
         }
     }
 }
 
 impl Assumptions {
-    /// Whether a scene is changed.
-    pub(super) fn has_scenes(&self) -> bool {
+    /// Whether a scene or a film is changed, which takes solves.
+    pub(super) fn takes_solves(&self) -> bool {
         let scenes = [self.pressure_factor, self.camber_deg, self.friction];
-        scenes.into_iter().any(|value| value.is_some())
+        scenes.into_iter().any(|value| value.is_some()) || self.film.is_some()
     }
 
     /// The table as in a document.
@@ -57,6 +62,9 @@ impl Assumptions {
         ];
         let given = fields.into_iter();
         let given = given.filter_map(|(name, value)| Some((name.to_owned(), value?.into())));
-        Value::Object(given.collect::<Map<_, _>>())
+        let film = self
+            .film
+            .map(|model| ("film".to_owned(), model.as_str().into()));
+        Value::Object(given.chain(film).collect::<Map<_, _>>())
     }
 }

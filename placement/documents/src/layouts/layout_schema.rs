@@ -151,7 +151,7 @@ fn contacts(schemas: &mut Schemas) -> Value {
 }
 
 fn assumptions(schemas: &mut Schemas) -> Value {
-    schemas.define("LayoutAssumptions", |_| {
+    schemas.define("LayoutAssumptions", |schemas| {
         let usual = Assumptions::default();
         let mut table = Properties::default();
         let mut add = |name, doc, range: Range, usual: Option<f64>| {
@@ -171,6 +171,8 @@ fn assumptions(schemas: &mut Schemas) -> Value {
         add("camber_deg", doc, CAMBER, None);
         let doc = "Friction of the ground, unknown to an estimate; not changed when left out.";
         add("friction", doc, FRICTION, None);
+        let doc = "Model of the films in place of the layouts' own, which an estimate knows; not changed when left out. Glued ones are solved around the wheel.";
+        table.add("film", doc, FilmModel::schema(&(), schemas), None, false);
         table.table("Values to which what the answer's figures rest on is changed, one at a time.")
     })
 }

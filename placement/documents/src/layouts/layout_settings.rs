@@ -222,6 +222,31 @@ impl Layouts {
         }
     }
 
+    /// Model of its films.
+    pub fn model(&self) -> FilmModel {
+        match &self.glued {
+            Some(glued) => glued.model(),
+            None => FilmModel::Bare,
+        }
+    }
+
+    /// Makes the same with films of another model: glued ones are this film.
+    pub fn with_films(&self, model: FilmModel, film: Film) -> Self {
+        let own = self.clone();
+        if model == FilmModel::Bare {
+            return Self { glued: None, ..own };
+        }
+        Self {
+            size_mm: Some([film.length_mm, film.width_mm]),
+            candidate_sizes_mm: Vec::new(),
+            glued: Some(GluedFilm {
+                film,
+                is_coupled: model == FilmModel::Coupled,
+            }),
+            ..own
+        }
+    }
+
     /// Room that its films need on a tire.
     pub fn room(&self, geometry: &Geometry) -> FilmRoom {
         FilmRoom::on(geometry, self.size_mm, self.limits.least_distance_mm)

@@ -19,7 +19,7 @@ pub(crate) mod study_schema;
 
 use document::typed::table_fields::table_value;
 use fem_client::hexadecimal::hexadecimal;
-use fem_client::scene::{Level, Scene};
+use fem_client::scene::{Film, Level, Scene};
 use fem_client::solver::{Grid, Readout};
 use gsa::law::distribution::Distribution;
 use gsa::method::{Kind, Method};
@@ -112,6 +112,14 @@ impl Study {
         Readout {
             grid: self.grid,
             ..Readout::default()
+        }
+    }
+
+    /// Returns its film: that of its signals, else of its scene, else the common one.
+    pub fn film(&self) -> Film {
+        match &self.signals {
+            Some(signals) => signals.film.clone(),
+            None => SignalSettings::on(&self.scene).film,
         }
     }
 

@@ -13,8 +13,10 @@ use crate::layout::solving::mirror_parts::mirrored;
 use crate::layout::solving::study_layouts::Asked;
 use crate::points::SceneSeries;
 use crate::signals::answers::check_transferable;
+use documents::layouts::layout_settings::GluedFilm;
 use documents::study::Study;
 use documents::study::plan::Plan;
+use layouts::arrangement::FilmKind;
 use layouts::search::layout_search::expected_looks;
 use layouts::search::search_criterion::SearchCriterion;
 
@@ -40,24 +42,12 @@ pub(crate) fn layout_series(study: &Study, plan: &Plan, solver: &dyn Solver) -> 
     let kinds = asked.kinds.all();
     let (level, coarser) = levels(study, plan, solver);
     let levels = std::iter::once(level).chain(coarser.map(|coarser| coarser.level));
-    let glued = study.layouts.glued.as_ref();
-    let glued = glued.filter(|glued| check_transferable(&glued.film).is_ok());
     let mut series = Vec::new();
     for on_level in levels {
         series.push(scenes.series(on_level, kinds));
-        if let Some(glued) = glued {
-            series.extend(match glued.is_coupled {
-                true => {
-                    let loads = film_loads(&scenes, kinds.len(), on_level, on_level == level);
-                    FilmAngles::new(&glued.film, kinds, loads).series()
-                }
-                false => {
-                    let films = GluedFilms::of_layouts(&glued.film, &scenes, kinds, on_level);
-                    let from_first = |scenes| SceneSeries::from_first(scenes, Readout::default());
-                    films.series().map(from_first).collect()
-                }
-            });
-        }
+        let glued = study.layouts.glued.as_ref();
+        let on = (on_level, on_level == level);
+        series.extend(glued_series(glued, &scenes, kinds, on));
         if let Some(contacts) = ContactScenes::of(&scenes, &study.layouts.contacts) {
             series.extend(contacts.series(on_level, kinds));
             // The finer mesh alone is judged by contacts that the surface hasn't seen.
@@ -73,6 +63,27 @@ pub(crate) fn layout_series(study: &Study, plan: &Plan, solver: &dyn Solver) -> 
         }
     }
     series
+}
+
+/// All that is solved with films glued on, on a level, `tested` by other films or not; nothing of a film that has no transfer.
+pub(crate) fn glued_series(
+    glued: Option<&GluedFilm>,
+    scenes: &LayoutScenes,
+    kinds: &[FilmKind],
+    (level, tested): (Level, bool),
+) -> Vec<SceneSeries> {
+    let Some(GluedFilm { film, is_coupled }) =
+        glued.filter(|glued| check_transferable(&glued.film).is_ok())
+    else {
+        return Vec::new();
+    };
+    if *is_coupled {
+        let loads = film_loads(scenes, kinds.len(), level, tested);
+        return FilmAngles::new(film, kinds, loads).series();
+    }
+    let films = GluedFilms::of_layouts(film, scenes, kinds, level);
+    let from_first = |scenes| SceneSeries::from_first(scenes, Readout::default());
+    films.series().map(from_first).collect()
 }
 
 /// Films of the largest layout.

@@ -23,6 +23,7 @@ use crate::points::archive::Outcome;
 use crate::points::{SceneSeries, outcomes_of_all};
 use crate::score::map_slopes::MapSlopes;
 use documents::layouts::contact_laws::Scatter;
+use documents::layouts::layout_settings::GluedFilm;
 use documents::study::Study;
 use documents::study::plan::Plan;
 use layouts::arrangement::FilmKind;
@@ -133,7 +134,7 @@ pub(crate) fn both_meshes<'s>(
             (mesh, answers.is_empty()),
             pressed,
             scenes,
-            (asked, study, means),
+            (asked.kinds.all(), study.layouts.glued.as_ref(), means),
             &mut place,
             context,
         )?);
@@ -170,11 +171,11 @@ fn count(study: &Study, plan: &Plan, solver: &dyn Solver) -> usize {
 }
 
 /// Answer of one mesh.
-struct MeshAnswer {
+pub(crate) struct MeshAnswer {
     level: Level,
     /// Kinds of film, with their volts where they are glued.
     kinds: Vec<FilmKind>,
-    fields: MeshFields,
+    pub fields: MeshFields,
     /// Residuals of the transfers of films that are solved around the wheel, by kind; none of others.
     missing: Vec<AngleResidual>,
     films: Option<FilmAnglesReport>,
@@ -182,11 +183,14 @@ struct MeshAnswer {
 
 /// Answer of one mesh whose loads were solved; films glued on are solved now, and the place moves behind their points. Without the first load there is nothing to
 /// start from: that costs the layouts, not the study.
-fn mesh_answer(
+///
+/// # Errors
+/// See [`RunError`]; within, why there is none.
+pub(crate) fn mesh_answer(
     (level, tested): (Level, bool),
     pressed: Result<Vec<Outcome>, String>,
     scenes: &LayoutScenes,
-    (asked, study, means): (&Asked, &Study, &[f64]),
+    (bare, glued, means): (&[FilmKind], Option<&GluedFilm>, &[f64]),
     place: &mut Place,
     context: RunContext<'_>,
 ) -> Result<Result<MeshAnswer, String>, RunError> {
@@ -194,7 +198,6 @@ fn mesh_answer(
         Ok(pressed) => pressed,
         Err(reason) => return Ok(Err(format!("Layouts have no scores: {reason}"))),
     };
-    let bare = asked.kinds.all();
     let of_kinds = |kinds: Vec<FilmKind>| {
         let fields = mesh_fields(scenes, &kinds, &pressed)?;
         Ok(MeshAnswer {
@@ -210,7 +213,7 @@ fn mesh_answer(
             "Layouts of glued films have no scores, which layouts.film = \"bare\" has: {reason}."
         )
     };
-    Ok(match &study.layouts.glued {
+    Ok(match glued {
         None => of_kinds(bare.to_vec()),
         Some(glued) if glued.is_coupled => {
             let loads = film_loads(scenes, bare.len(), level, tested);

@@ -214,6 +214,49 @@ fn what_coupled_films_give_beside_the_contact_is_in_every_signal() {
     assert_eq!(counted, points + 3);
 }
 
+/// Angle and force of the layout that answers.
+fn figures(result: &StudyResult) -> [f64; 2] {
+    let layout = &result.layouts[0];
+    let angle = layout.score.simulated_p95_angle_error_deg.unwrap();
+    [angle, layout.worst_force.unwrap().error_n]
+}
+
+#[test]
+fn films_of_another_model_have_the_errors_of_a_study_that_has_them() {
+    let solver = MoreBeside {
+        between_degrees: false,
+    };
+    let ran = |film: &str, other: Option<&str>| {
+        let mut layouts = json!({"film": film, "units": [18], "size_mm": [1e-3, 1e-3]});
+        if let Some(other) = other {
+            layouts["assumptions"] = json!({"film": other});
+        }
+        let study = read(&document(&layouts, tiny()));
+        let archive = MemoryArchive::default();
+        let result = observed(&study, &solver, &archive, 2).0.unwrap();
+        let points = archive.points.lock().unwrap().len();
+        let planned = PlannedStudy::new(study).unwrap();
+        assert_eq!(Workload::of(&planned, &solver).keys().count(), points);
+        result
+    };
+    let own = ["bare", "coupled"].map(|film| figures(&ran(film, None)));
+    for (film, other, expected) in [("bare", "coupled", own[1]), ("coupled", "bare", own[0])] {
+        let result = ran(film, Some(other));
+        let findings = result.layout_findings.unwrap().assumptions.unwrap();
+        assert!(!findings.unchanged.contains(&"film".to_owned()));
+        let mut changes = findings.changes.iter();
+        let change = changes.find(|change| change.of == "film").unwrap();
+        let found = [change.angle_error_deg, change.force_error_n];
+        for (found, expected) in found.into_iter().zip(expected) {
+            assert!(
+                (found / expected - 1.0).abs() < 1e-9,
+                "{film} {other}: {found} {expected}"
+            );
+        }
+    }
+    assert!((own[0][1] / own[1][1] - 1.0).abs() > 0.01, "{own:?}");
+}
+
 /// A study that has a film has it glued on, unless its layouts say what only bare films have.
 #[test]
 fn layouts_of_a_study_with_a_film_have_it_glued_on() {

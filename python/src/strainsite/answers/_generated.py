@@ -592,21 +592,21 @@ class ContactFindings:
     """Root mean square error of the signals there within 30 degrees of the contact, over the crown's largest at that
     depth."""
     signal_claim: float | None = None
-    """What 95 % of the signals of other such contacts are claimed to be within: Student's t for so few contacts.
-    None of a study before it was claimed."""
+    """Claim that 95 % of the errors of signals at other such contacts are within this, over the crown's largest:
+    Student's t for so few contacts. None of a study before claims."""
     signal_error_largest: float
     """Largest error of a signal there, over the crown's largest."""
     slope_error_rms: float | None = None
     """Root mean square error of the signals' slopes over the contact's angle there, over the crown's steepest; none
     of a study that didn't judge them."""
     slope_claim: float | None = None
-    """What 95 % of such slopes are claimed to be within."""
+    """Claim for such slopes."""
     slope_error_largest: float | None = None
     """Largest error of such a slope."""
     force_error_n: float
     """Root mean square error of the vertical force there, N."""
     force_claim_n: float | None = None
-    """What 95 % of the forces are claimed to be within, N."""
+    """Claim for the force, N."""
     short: tuple[str, ...] = ()
     """Quantities whose laws reach beyond what could be solved, in words: what is drawn ends there."""
 

@@ -3,6 +3,7 @@
 // What users write is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
+use document::Choice;
 use document::fault::Fault;
 use document::fields::{Fields, number};
 
@@ -10,6 +11,7 @@ use crate::layouts::assumptions::Assumptions;
 use crate::layouts::layout_bounds::{
     CAMBER, DRIFT, FRICTION, GAIN, NOISE_FACTOR, PLACE, PRESSURE_FACTOR,
 };
+use crate::parts::film_model::FilmModel;
 
 /// Reads `[layouts.assumptions]`; the usual ones without the table.
 pub(super) fn assumptions(fields: &Fields<'_>, faults: &mut Vec<Fault>) -> Assumptions {
@@ -25,6 +27,7 @@ pub(super) fn assumptions(fields: &Fields<'_>, faults: &mut Vec<Fault>) -> Assum
         "pressure_factor",
         "camber_deg",
         "friction",
+        "film",
     ];
     let Some(table) = Fields::open(value, &pointer, &known, faults) else {
         return read;
@@ -44,8 +47,11 @@ pub(super) fn assumptions(fields: &Fields<'_>, faults: &mut Vec<Fault>) -> Assum
     read.pressure_factor = given("pressure_factor", PRESSURE_FACTOR);
     read.camber_deg = given("camber_deg", CAMBER);
     read.friction = given("friction", FRICTION);
-    if read.has_scenes() && fields.get("contacts").is_some() {
-        let detail = "changes the contact, of which layouts.contacts has laws: leave pressure_factor, camber_deg and friction out, or the laws";
+    if table.get("film").is_some() {
+        read.film = table.choice("film", FilmModel::CHOICES, FilmModel::Bare, faults);
+    }
+    if read.takes_solves() && fields.get("contacts").is_some() {
+        let detail = "changes the contact, of which layouts.contacts has laws: leave pressure_factor, camber_deg, friction and film out, or the laws";
         Fault::add(faults, &pointer, detail);
     }
     read
@@ -73,10 +79,12 @@ mod tests {
     #[test]
     fn what_is_given_is_changed_and_the_rest_is_as_usual() {
         let study =
-            read("[layouts.assumptions]\nnoise_factor = 3\ncamber_deg = -5").expect("reads");
+            read("[layouts.assumptions]\nnoise_factor = 3\ncamber_deg = -5\nfilm = \"coupled\"")
+                .expect("reads");
         let expected = Assumptions {
             noise_factor: 3.0,
             camber_deg: Some(-5.0),
+            film: Some(FilmModel::Coupled),
             ..Assumptions::default()
         };
         assert_eq!(study.layouts.assumptions, expected);
@@ -103,6 +111,10 @@ mod tests {
             (
                 "[layouts.assumptions]\nfriction = -1".to_owned(),
                 "/layouts/assumptions/friction: ",
+            ),
+            (
+                "[layouts.assumptions]\nfilm = \"stiff\"".to_owned(),
+                "/layouts/assumptions/film: must be \"bare\"",
             ),
             (
                 "[layouts.assumptions]\nwind = 1".to_owned(),

@@ -134,6 +134,25 @@ pub(crate) fn check_film(
     }
 }
 
+/// Whether the film of a changed assumption is one that this tire's scene can have; which layouts have room for it shows when they are known.
+pub(crate) fn check_other_film(
+    layouts: &Layouts,
+    fields: &Fields<'_>,
+    (scene, film): (&Scene, Option<&StudyFilm>),
+    faults: &mut Vec<Fault>,
+) {
+    let (Some(model), Some(of_study)) = (layouts.assumptions.film, film) else {
+        return;
+    };
+    let mut found = Vec::new();
+    let other = layouts.with_films(model, of_study.film.clone());
+    check_film(&other, fields, scene, &mut found);
+    if let Some(fault) = found.first() {
+        let at = member(&fields.at("assumptions"), "film");
+        Fault::add(faults, &at, &fault.detail);
+    }
+}
+
 /// Length and width, mm.
 fn size(value: &Value, pointer: &str, faults: &mut Vec<Fault>) -> Option<[f64; 2]> {
     let Some([length, width]) = value.as_array().map(Vec::as_slice) else {

@@ -21,7 +21,9 @@ use crate::layouts::layout_settings::{
 };
 use crate::layouts::reading::assumption_reader::assumptions;
 use crate::layouts::reading::contact_reader::{check_contacts, contacts};
-use crate::layouts::reading::film_size_reader::{StudyFilm, check_film, check_sizes, read_films};
+use crate::layouts::reading::film_size_reader::{
+    StudyFilm, check_film, check_other_film, check_sizes, read_films,
+};
 use crate::layouts::reading::limits_reader::gluing_limits;
 use crate::layouts::reading::overlap_check::check_overlaps;
 use crate::layouts::reading::search_reader::{check_places, search};
@@ -170,6 +172,7 @@ pub(crate) fn layouts(
         check_film(&layouts, &fields, scene, faults);
         let geometry = &scene.geometry;
         check_sizes(&layouts, &fields, geometry, directions, faults);
+        check_other_film(&layouts, &fields, (scene, film), faults);
         if faults.len() == before {
             check_overlaps(&layouts, &fields, geometry, directions, faults);
         }
