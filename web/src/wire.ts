@@ -4831,6 +4831,8 @@ export interface components {
             side_traction?: components["schemas"]["DistributionDocument"];
             /** @description Law of each station's depth over the contact's, less one: independent of the others. */
             uneven?: components["schemas"]["DistributionDocument"];
+            /** @description Law of each station's height over the contact's plane, mm, independent of the others: rough ground of that deviation, whatever the depth. Takes the place of `uneven`. */
+            rough_mm?: components["schemas"]["DistributionDocument"];
             /** @description Law of the internal pressure over the scene's. */
             pressure_factor?: components["schemas"]["DistributionDocument"];
             /** @description Law of the ground's friction over the scene's. */

@@ -102,7 +102,9 @@ impl StudyContacts {
 /// Span for which a quantity is drawn; none of a traction.
 fn drawn_for(quantity: ContactQuantity) -> Option<DrawnFor> {
     match quantity {
-        ContactQuantity::Camber | ContactQuantity::Uneven => Some(DrawnFor::Stance),
+        ContactQuantity::Camber | ContactQuantity::Uneven | ContactQuantity::Rough => {
+            Some(DrawnFor::Stance)
+        }
         ContactQuantity::Pressure | ContactQuantity::Friction => Some(DrawnFor::Run),
         ContactQuantity::Traction | ContactQuantity::SideTraction => None,
     }

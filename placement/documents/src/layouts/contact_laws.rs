@@ -6,7 +6,9 @@ use serde_json::{Map, Value};
 use document::Choice;
 use document::fields::Range;
 
-use crate::layouts::layout_bounds::{CAMBER, FRICTION_FACTOR, PRESSURE_FACTOR, TRACTION, UNEVEN};
+use crate::layouts::layout_bounds::{
+    CAMBER, FRICTION_FACTOR, PRESSURE_FACTOR, ROUGH, TRACTION, UNEVEN,
+};
 use crate::parts::distribution_reader::distribution_value;
 
 /// Field of how an estimate takes the scatter.
@@ -29,6 +31,8 @@ pub enum ContactQuantity {
     SideTraction,
     /// Depth of each station of the ground over the contact's, less one.
     Uneven,
+    /// Height of each station of the ground over the contact's plane, mm.
+    Rough,
     /// Internal pressure over the scene's.
     Pressure,
     /// Friction of the ground over the scene's.
@@ -37,11 +41,12 @@ pub enum ContactQuantity {
 
 impl ContactQuantity {
     /// Quantities, all of them.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 7] = [
         Self::Camber,
         Self::Traction,
         Self::SideTraction,
         Self::Uneven,
+        Self::Rough,
         Self::Pressure,
         Self::Friction,
     ];
@@ -53,6 +58,7 @@ impl ContactQuantity {
             Self::Traction => "traction",
             Self::SideTraction => "side_traction",
             Self::Uneven => "uneven",
+            Self::Rough => "rough_mm",
             Self::Pressure => "pressure_factor",
             Self::Friction => "friction_factor",
         }
@@ -65,6 +71,7 @@ impl ContactQuantity {
             Self::Traction => "traction",
             Self::SideTraction => "side traction",
             Self::Uneven => "uneven ground",
+            Self::Rough => "rough ground",
             Self::Pressure => "pressure",
             Self::Friction => "friction",
         }
@@ -84,6 +91,7 @@ impl ContactQuantity {
             Self::Camber => CAMBER,
             Self::Traction | Self::SideTraction => TRACTION,
             Self::Uneven => UNEVEN,
+            Self::Rough => ROUGH,
             Self::Pressure => PRESSURE_FACTOR,
             Self::Friction => FRICTION_FACTOR,
         }
@@ -101,6 +109,9 @@ impl ContactQuantity {
             }
             Self::Uneven => {
                 "Law of each station's depth over the contact's, less one: independent of the others."
+            }
+            Self::Rough => {
+                "Law of each station's height over the contact's plane, mm, independent of the others: rough ground of that deviation, whatever the depth. Takes the place of `uneven`."
             }
             Self::Pressure => "Law of the internal pressure over the scene's.",
             Self::Friction => "Law of the ground's friction over the scene's.",
@@ -133,6 +144,7 @@ impl ContactLaw {
         let [low, high] = self.ends();
         let unit = match self.quantity {
             ContactQuantity::Camber => " degrees",
+            ContactQuantity::Rough => " mm",
             _ => "",
         };
         format!("{} {low:.2} to {high:.2}{unit}", self.quantity.words())

@@ -14,6 +14,7 @@ pub(super) const DRIFT: Range = Range::new(0.0, 1.0, "");
 pub(super) const CAMBER: Range = Range::new(-30.0, 30.0, "degrees");
 pub(super) const TRACTION: Range = Range::new(-2.0, 2.0, "");
 pub(super) const UNEVEN: Range = Range::new(-0.9, 0.9, "");
+pub(super) const ROUGH: Range = Range::new(-1e4, 1e4, "mm");
 pub(super) const FRICTION: Range = Range::new(0.0, 2.0, "");
 pub(super) const PRESSURE_FACTOR: Range = Range::new(0.5, 2.0, "");
 pub(super) const FRICTION_FACTOR: Range = Range::new(0.2, 4.0, "");

@@ -17,6 +17,10 @@ use crate::parts::film_place::FilmPlace;
 pub const STRAIN_UNIT: &str = "strain";
 /// Unit of glued films' signals.
 pub const VOLT_UNIT: &str = "V";
+/// Reach of the solved depths beyond the least and the largest load, over these.
+pub const BEYOND: [f64; 2] = [0.5, 1.25];
+/// Number of loads below which contacts as they come are solved at both of these ends, too.
+pub const FEW_LOADS: usize = 3;
 /// Numbers of films of the common menu, 3 to 48: those that divide a turn into angles that can be marked by hand.
 const COMMON_FILMS: [usize; 14] = [3, 4, 6, 8, 9, 10, 12, 15, 18, 20, 24, 30, 36, 48];
 /// Share of the crown's largest strain that a film's noise has unless the study says otherwise.

@@ -162,7 +162,11 @@ fn ground(contacts: &[ContactLaw]) -> String {
         let own = contacts.iter().filter(|law| is_of(law, quantities));
         own.map(ContactLaw::described).collect()
     };
-    let of_stance = words(&[ContactQuantity::Camber, ContactQuantity::Uneven]);
+    let of_stance = words(&[
+        ContactQuantity::Camber,
+        ContactQuantity::Uneven,
+        ContactQuantity::Rough,
+    ]);
     let of_run = words(&[ContactQuantity::Pressure, ContactQuantity::Friction]);
     let parts = [(of_stance, "stance"), (of_run, "run")];
     let drawn = parts.into_iter().filter(|(words, _)| !words.is_empty());

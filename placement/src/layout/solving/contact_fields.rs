@@ -125,7 +125,9 @@ impl SolvedContacts<'_> {
         let opposite = match axis.stepped {
             Stepped::Camber | Stepped::Shift(1) => Some([false, true]),
             Stepped::Shift(_) => Some([true, false]),
-            Stepped::Station(_) | Stepped::Pressure | Stepped::Friction => None,
+            Stepped::Station(_) | Stepped::Height(_) | Stepped::Pressure | Stepped::Friction => {
+                None
+            }
         };
         let mut nodes = vec![node(0.0, quantity.usual(), &usual)];
         for (step, outcome) in solved.steps().into_iter().zip(outcomes) {

@@ -31,8 +31,10 @@ pub(crate) enum Stepped {
     Camber,
     /// Shift of the ground along the wheel (0) or across it (1).
     Shift(usize),
-    /// Depth of a station.
+    /// Depth of a station, by a share of the contact's.
     Station(usize),
+    /// Height of a station, by a length.
+    Height(usize),
     /// Internal pressure.
     Pressure,
     /// Friction of the ground.
@@ -72,12 +74,34 @@ pub(crate) struct CheckContact {
     pub steps: Vec<f64>,
 }
 
+impl Stepped {
+    /// Station of the ground that is stepped.
+    fn station(self) -> Option<usize> {
+        match self {
+            Self::Station(station) | Self::Height(station) => Some(station),
+            Self::Camber | Self::Shift(_) | Self::Pressure | Self::Friction => None,
+        }
+    }
+
+    /// Step of the station as far behind the middle of so many as this one is before it, where that is another one.
+    fn image(self, stations: usize) -> Option<Self> {
+        let other = stations - 1 - self.station()?;
+        let image = match self {
+            Self::Height(_) => Self::Height(other),
+            _ => Self::Station(other),
+        };
+        (image != self).then_some(image)
+    }
+}
+
 impl PlannedAxis {
     /// Steps that are solved.
     pub fn steps(&self) -> [f64; 2] {
         match self.stepped {
             Stepped::Camber | Stepped::Shift(_) => ONE_SIDE,
-            Stepped::Station(_) | Stepped::Pressure | Stepped::Friction => BOTH_SIDES,
+            Stepped::Station(_) | Stepped::Height(_) | Stepped::Pressure | Stepped::Friction => {
+                BOTH_SIDES
+            }
         }
     }
 
@@ -92,6 +116,7 @@ impl PlannedAxis {
                 scene.ground.shift_mm[way] = by * SHIFT_OF_SECTION[way] * share * section_mm;
             }
             Stepped::Station(station) => scene.ground.depths_mm[station] *= 1.0 + by,
+            Stepped::Height(station) => scene.ground.depths_mm[station] += by,
             Stepped::Pressure => scene.pressure.internal_mpa *= 1.0 + by,
             Stepped::Friction => scene.contact.friction *= 1.0 + by,
         }
@@ -111,6 +136,7 @@ impl<'s> ContactScenes<'s> {
                 ContactQuantity::SideTraction => vec![Stepped::Shift(1)],
                 // Those behind the middle are images of those before it.
                 ContactQuantity::Uneven => (0..=stations / 2).map(Stepped::Station).collect(),
+                ContactQuantity::Rough => (0..=stations / 2).map(Stepped::Height).collect(),
                 ContactQuantity::Pressure => vec![Stepped::Pressure],
                 ContactQuantity::Friction => vec![Stepped::Friction],
             };
@@ -135,13 +161,10 @@ impl<'s> ContactScenes<'s> {
     pub fn components(&self) -> Vec<(usize, PlannedAxis)> {
         let stations = self.scenes.stations();
         let with_image = |(solved, axis): (usize, &PlannedAxis)| {
-            let image = match axis.stepped {
-                Stepped::Station(station) if 2 * station + 1 < stations => Some(PlannedAxis {
-                    stepped: Stepped::Station(stations - 1 - station),
-                    ..axis.clone()
-                }),
-                _ => None,
-            };
+            let image = axis.stepped.image(stations).map(|stepped| PlannedAxis {
+                stepped,
+                ..axis.clone()
+            });
             std::iter::once(axis.clone())
                 .chain(image)
                 .map(move |axis| (solved, axis))
@@ -169,8 +192,7 @@ impl<'s> ContactScenes<'s> {
     pub fn pairs(&self) -> Vec<[usize; 2]> {
         let is_camber = |axis: &PlannedAxis| axis.stepped == Stepped::Camber;
         let beside = (self.scenes.stations() / 2).saturating_sub(1);
-        let is_inner =
-            |axis: &PlannedAxis| matches!(axis.stepped, Stepped::Station(own) if own >= beside);
+        let is_inner = |axis: &PlannedAxis| axis.stepped.station().is_some_and(|own| own >= beside);
         let camber = self.axes.iter().position(is_camber);
         let stations = (0..self.axes.len()).filter(|axis| is_inner(&self.axes[*axis]));
         camber
@@ -353,5 +375,31 @@ mod tests {
             assert_eq!(differ(&scene), [true; 3]);
         }
         assert_eq!(ContactScenes::of(&scenes, &Contacts::default()), None);
+    }
+
+    #[test]
+    fn a_station_of_uneven_ground_goes_with_the_depth_and_one_of_rough_ground_does_not() {
+        let axis = |stepped| PlannedAxis {
+            law: 0,
+            stepped,
+            reach: 0.2,
+        };
+        for (stepped, image, expected) in [
+            (Stepped::Station(1), Stepped::Station(3), [0.55, 1.1]),
+            (Stepped::Height(1), Stepped::Height(3), [0.6, 1.1]),
+        ] {
+            let stepped_at = |depth_mm: f64| {
+                let mut scene = Scene::default();
+                scene.ground.depths_mm = vec![depth_mm; 5];
+                axis(stepped).step(&mut scene, depth_mm, 0.5);
+                scene.ground.depths_mm[1]
+            };
+            let found = [0.5, 1.0].map(stepped_at);
+            for (found, expected) in found.into_iter().zip(expected) {
+                assert!((found - expected).abs() < 1e-12, "{stepped:?}: {found}");
+            }
+            assert_eq!(stepped.image(5), Some(image));
+        }
+        assert_eq!(Stepped::Height(2).image(5), None);
     }
 }

@@ -4,7 +4,7 @@ use fem_client::scene::{Level, Scene};
 use fem_client::solver::{Readout, RingLine};
 
 use crate::points::{SceneSeries, Starts};
-use documents::layouts::layout_settings::{LayoutLoads, Layouts};
+use documents::layouts::layout_settings::{BEYOND, FEW_LOADS, LayoutLoads, Layouts};
 use documents::signals::series::loads_of_transfer;
 use layouts::arrangement::FilmKind;
 
@@ -12,8 +12,6 @@ use layouts::arrangement::FilmKind;
 pub const FINE_DEG: f64 = 60.0;
 /// Solves beside each load, over the load: slopes over the depth are central differences. On the foot tire half the distance changes them by 0.3 %.
 const BESIDE: [f64; 2] = [0.9, 1.1];
-/// Reach of the study's depths beyond the least and the largest load, over these.
-const BEYOND: [f64; 2] = [0.5, 1.25];
 /// The ground's shift over the section's radius: 0.02 mm on the foot tire, of the 0.7 mm at which it slides.
 const SHIFT_OF_SECTION: f64 = 1.6e-3;
 /// Solves nearer than this to another are left out, relative.
@@ -201,7 +199,7 @@ impl LayoutScenes {
     pub(crate) fn depths_of_contacts(&self) -> Vec<f64> {
         let [least, largest] = self.ends_asked();
         let ends = match self.loads.len() {
-            ..3 => vec![BEYOND[0] * least, BEYOND[1] * largest],
+            ..FEW_LOADS => vec![BEYOND[0] * least, BEYOND[1] * largest],
             _ => Vec::new(),
         };
         let is_wanted = |load: &&Pressed| self.loads.contains(load) || ends.contains(&load.value());

@@ -11,12 +11,14 @@ use fem_client::scene::Scene;
 use crate::layouts::contact_laws::{
     CHECKS, CHECKS_WITHIN, ContactLaw, ContactQuantity, Contacts, SCATTER, Scatter,
 };
-use crate::layouts::layout_settings::{LayoutLoads, Layouts};
+use crate::layouts::layout_settings::{BEYOND, FEW_LOADS, LayoutLoads, Layouts};
 use crate::layouts::reading::usual_contact::check_usual;
 use crate::parts::distribution_reader::read_distribution;
 
 /// Share of the friction up to which a contact may be dragged: beyond it most of it slides.
 const OF_FRICTION: f64 = 0.8;
+/// Share of a depth up to which a station may be lower.
+const OF_DEPTH: f64 = 0.9;
 
 /// Reads `[layouts.contacts]`; no law without the table.
 pub(super) fn contacts(fields: &Fields<'_>, faults: &mut Vec<Fault>) -> Contacts {
@@ -102,6 +104,19 @@ pub(super) fn check_contacts(
         return;
     };
     check_usual(scene, &pointer, "are", faults);
+    let has = |quantity| {
+        layouts
+            .contacts
+            .laws
+            .iter()
+            .any(|law| law.quantity == quantity)
+    };
+    if has(ContactQuantity::Uneven) && has(ContactQuantity::Rough) {
+        let detail = "and uneven are two laws of the same stations: give one of them";
+        let at = member(&pointer, ContactQuantity::Rough.as_str());
+        Fault::add(faults, &at, detail);
+    }
+    let lowest = OF_DEPTH * least_depth_mm(layouts, scene);
     let pulls = OF_FRICTION * least_friction(&layouts.contacts.laws, scene);
     for law in &layouts.contacts.laws {
         let detail = match law.quantity {
@@ -112,12 +127,31 @@ pub(super) fn check_contacts(
                     plain(law.reach())
                 )
             }
+            ContactQuantity::Rough if law.reach() > lowest => format!(
+                "must stay within {OF_DEPTH} of the least depth that is solved, {} mm, as the ground touches everywhere; it reaches {}",
+                plain(lowest),
+                plain(law.reach())
+            ),
             ContactQuantity::Friction if scene.contact.friction == 0.0 => {
                 "is a share of the scene's contact.friction, which is 0: give it one".to_owned()
             }
             _ => continue,
         };
         Fault::add(faults, &member(&pointer, law.quantity.as_str()), detail);
+    }
+}
+
+/// Least depth at which contacts are solved, mm.
+fn least_depth_mm(layouts: &Layouts, scene: &Scene) -> f64 {
+    let own = &scene.ground.depths_mm;
+    let asked = match &layouts.loads {
+        LayoutLoads::Depths(depths) => depths.clone(),
+        _ => vec![own.iter().sum::<f64>() / own.len().max(1) as f64],
+    };
+    let least = asked.iter().copied().fold(f64::INFINITY, f64::min);
+    match asked.len() {
+        ..FEW_LOADS => BEYOND[0] * least,
+        _ => least,
     }
 }
 
@@ -212,6 +246,16 @@ mod tests {
                 even("traction", -0.3, 0.3) + &even("friction_factor", 0.6, 1.4),
                 "",
                 "/layouts/contacts/traction: must stay within 0.8 of the least contact.friction, 0.24",
+            ),
+            (
+                even("rough_mm", -0.5, 0.5),
+                "depths_mm = [1]",
+                "/layouts/contacts/rough_mm: must stay within 0.9 of the least depth that is solved, 0.45 mm",
+            ),
+            (
+                even("rough_mm", -0.2, 0.2) + &even("uneven", -0.2, 0.2),
+                "",
+                "/layouts/contacts/rough_mm: and uneven are two laws",
             ),
             (
                 even("friction_factor", 0.1, 1.4),
