@@ -3779,7 +3779,7 @@ export interface components {
         };
         /** @description Error of what films tell of a quantity that contacts differ in. */
         ToldQuantity: {
-            /** @description The quantity, as `layouts.contacts` names it. */
+            /** @description The quantity, as `layouts.contacts` names it, or a load in the wheel's frame: `fx_n`, `fy_n`, `mx_nmm`, `my_nmm`, `mz_nmm`. */
             of: string;
             /** @description Name for people. */
             words: string;
@@ -3788,6 +3788,21 @@ export interface components {
              * @description Error of its estimate, root mean square over contacts, in its own unit.
              */
             error: number;
+            /**
+             * Format: double
+             * @description Standard error of it by the number of simulated contacts; none of a study before it was told, nor are the next two.
+             */
+            error_se?: number | null;
+            /**
+             * Format: double
+             * @description Claimed error of it, by that and the coarser mesh.
+             */
+            claim?: number | null;
+            /**
+             * Format: double
+             * @description Load at which it is this large, N: the worst one.
+             */
+            load_n?: number | null;
             /**
              * Format: double
              * @description Standard deviation over contacts: the error where films tell nothing.

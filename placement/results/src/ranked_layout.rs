@@ -95,10 +95,17 @@ impl RankedLayout {
     /// Errors of told quantities, each at the load where it is largest, of its scores.
     pub fn largest_told_errors(&self) -> Vec<ToldQuantity> {
         let mut largest: Vec<ToldQuantity> = Vec::new();
-        for own in self.loads.iter().flat_map(|load| &load.score.told) {
+        let at_loads = self.loads.iter().flat_map(|load| {
+            let told = load.score.told.iter();
+            told.map(|own| ToldQuantity {
+                load_n: load.load_n,
+                ..own.clone()
+            })
+        });
+        for own in at_loads {
             match largest.iter_mut().find(|known| known.of == own.of) {
-                None => largest.push(own.clone()),
-                Some(known) if own.error > known.error => *known = own.clone(),
+                None => largest.push(own),
+                Some(known) if own.error > known.error => *known = own,
                 Some(_) => {}
             }
         }
@@ -234,12 +241,21 @@ pub struct ContactError {
 /// Error of what films tell of a quantity that contacts differ in.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
 pub struct ToldQuantity {
-    /// The quantity, as `layouts.contacts` names it.
+    /// The quantity, as `layouts.contacts` names it, or a load in the wheel's frame: `fx_n`, `fy_n`, `mx_nmm`, `my_nmm`, `mz_nmm`.
     pub of: String,
     /// Name for people.
     pub words: String,
     /// Error of its estimate, root mean square over contacts, in its own unit.
     pub error: f64,
+    /// Standard error of it by the number of simulated contacts; none of a study before it was told, nor are the next two.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub error_se: Option<f64>,
+    /// Claimed error of it, by that and the coarser mesh.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub claim: Option<f64>,
+    /// Load at which it is this large, N: the worst one.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub load_n: Option<f64>,
     /// Standard deviation over contacts: the error where films tell nothing.
     pub deviation: f64,
     /// Whether films tell something of it: the error is at least a tenth less than the deviation.

@@ -155,9 +155,8 @@ impl DifferingContacts {
         };
         for depth_mm in self.surface.depths().places() {
             let contact = self.surface.contact(*depth_mm, &given);
-            changes
-                .forces_n
-                .push(self.surface.changed_in_wheel_n(&contact));
+            let [along, across, up, ..] = self.surface.changed_wrench(&contact);
+            changes.forces_n.push([along, across, up]);
             let mut turns: Vec<(usize, Turn)> = Vec::new();
             for (signals, (kind, apart_deg)) in changes.signals.iter_mut().zip(films) {
                 if turns.iter().all(|(known, _)| known != kind) {
@@ -221,7 +220,7 @@ mod tests {
                     value: step * reach,
                     change: Change {
                         force_n: 0.0,
-                        in_wheel_n: [0.0, across_n, 0.0],
+                        wrench: [0.0, across_n, 0.0, 0.0, 0.0, 0.0],
                         signals: vec![vec![volts; DEGREES]; 2],
                     },
                 }

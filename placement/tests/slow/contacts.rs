@@ -52,7 +52,16 @@ checks = 2
         };
         // Both are estimated; the traction shifts the peaks along the wheel, which a film along y feels as an angle alone.
         let told: Vec<&str> = score.told.iter().map(|own| own.of.as_str()).collect();
-        assert_eq!(told, ["camber_deg", "traction"]);
+        let loads = ["fx_n", "fy_n", "mx_nmm", "my_nmm", "mz_nmm"];
+        assert_eq!(told, [&["camber_deg", "traction"][..], &loads].concat());
+        let deviation = |of: &str| {
+            let mut told = score.told.iter();
+            told.find(|own| own.of == of).expect("told").deviation
+        };
+        // A pull along the wheel acts at its tread, 49 mm below the axle; a camber of 10 degrees moves the contact by 2 mm across, and its 13 N with it.
+        let lever_mm = deviation("my_nmm") / deviation("fx_n");
+        assert!((lever_mm / 49.0 - 1.0).abs() < 0.05, "{lever_mm}");
+        assert!(deviation("mx_nmm") > 10.0, "{}", deviation("mx_nmm"));
         for own in &score.told {
             assert!(own.error < 1.05 * own.deviation, "{own:?}");
         }

@@ -10,13 +10,16 @@ const HALVINGS: usize = 40;
 /// Weights of an axis' nodes in a contact.
 pub(super) type Weights = [f64; MOST_NODES];
 
+/// Force along three axes, N, and moments about them, N mm.
+pub type Wrench = [f64; 6];
+
 /// Change of a contact beside the usual one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Change {
     /// Change of the force along the ground's normal, N.
     pub force_n: f64,
-    /// Changes of the force in the wheel's frame, N: along the wheel, along the axle, and upwards.
-    pub in_wheel_n: [f64; 3],
+    /// Changes of what the ground does in the wheel's frame: of the force along the wheel, along the axle and upwards, N, and of the moments about these axes, N mm.
+    pub wrench: Wrench,
     /// Changes of the signals by kind of film: a sample each degree from -180.
     pub signals: Vec<Vec<f64>>,
 }

@@ -7,12 +7,42 @@
 use documents::layouts::contact_laws::ContactLaw;
 use gsa::design::sobol::Sobol;
 
-use crate::field::contact_axis::{Change, ContactAxis, Weights};
+use crate::field::contact_axis::{Change, ContactAxis, Weights, Wrench};
 use crate::field::contact_pair::ContactPair;
 use crate::field::hermite::{DEGREES, Nodes, Shares, summed};
 
 /// Contacts by which means and variances are summed.
 const CONTACTS: u32 = 64;
+
+/// Load of the ground on the wheel that an estimate tells beside the vertical force: of the usual contact it is none.
+pub(crate) struct ToldLoad {
+    /// Number among those of a [`Wrench`].
+    axis: usize,
+    /// Name in a result.
+    pub name: &'static str,
+    /// Name for people.
+    pub words: &'static str,
+}
+
+/// Loads that an estimate tells.
+pub(crate) const TOLD_LOADS: [ToldLoad; 5] = [
+    ToldLoad::new(0, "fx_n", "Fx (N)"),
+    ToldLoad::new(1, "fy_n", "Fy (N)"),
+    ToldLoad::new(3, "mx_nmm", "Mx (N mm)"),
+    ToldLoad::new(4, "my_nmm", "My (N mm)"),
+    ToldLoad::new(5, "mz_nmm", "Mz (N mm)"),
+];
+
+impl ToldLoad {
+    const fn new(axis: usize, name: &'static str, words: &'static str) -> Self {
+        Self { axis, name, words }
+    }
+
+    /// Returns it of all that the ground does.
+    pub(super) fn of(&self, wrench: &Wrench) -> f64 {
+        wrench[self.axis]
+    }
+}
 
 /// Response surface of some kinds of film over contacts.
 #[derive(Debug, Clone, PartialEq)]
@@ -134,8 +164,8 @@ impl ResponseSurface {
             .collect()
     }
 
-    /// Values of these quantities of a contact, where they are given as such.
-    pub(crate) fn told_of(&self, given: &[Given]) -> Vec<f64> {
+    /// Values of these quantities of a contact, where they are given as such, then its loads by [`TOLD_LOADS`].
+    pub(crate) fn told_of(&self, given: &[Given], contact: &Contact<'_>) -> Vec<f64> {
         let of_law = |law: usize| {
             let axis = self.laws_of_axes().position(|own| own == law)?;
             match given[axis] {
@@ -143,7 +173,10 @@ impl ResponseSurface {
                 Given::Step(_) => None,
             }
         };
-        self.told().into_iter().filter_map(of_law).collect()
+        let wrench = self.changed_wrench(contact);
+        let loads = TOLD_LOADS.iter().map(|load| load.of(&wrench));
+        let values = self.told().into_iter().filter_map(of_law);
+        values.chain(loads).collect()
     }
 
     /// Number of kinds of film.
@@ -234,16 +267,9 @@ impl ResponseSurface {
         Contact { usual, changes }
     }
 
-    /// Change beside the usual contact of the force in the wheel's frame, N: along the wheel, along the axle, and upwards.
-    pub fn changed_in_wheel_n(&self, contact: &Contact<'_>) -> [f64; 3] {
-        let changes = contact.changes.iter();
-        let along = |axis: usize| {
-            let of_axis = changes
-                .clone()
-                .map(|(weight, change)| weight * change.in_wheel_n[axis]);
-            of_axis.sum()
-        };
-        [0, 1, 2].map(along)
+    /// Change beside the usual contact of what the ground does in the wheel's frame, N and N mm.
+    pub fn changed_wrench(&self, contact: &Contact<'_>) -> Wrench {
+        summed_wrench(&contact.changes)
     }
 
     /// Change beside the usual contact of a kind's signal: a sample each degree from -180.
@@ -337,6 +363,15 @@ pub(super) fn summed_signals(changes: &[(f64, &Change)], kind: usize) -> Vec<f64
     sums
 }
 
+/// Sum of the changes of what the ground does.
+pub(super) fn summed_wrench(changes: &[(f64, &Change)]) -> Wrench {
+    let mut sums = Wrench::default();
+    for (weight, change) in changes {
+        add(&mut sums, &change.wrench, *weight);
+    }
+    sums
+}
+
 fn add(sums: &mut [f64], samples: &[f64], weight: f64) {
     for (sum, sample) in sums.iter_mut().zip(samples) {
         *sum += weight * sample;
@@ -402,7 +437,7 @@ pub(crate) mod tests {
                 value,
                 change: Change {
                     force_n: STIFFER_N * (value - 1.0) * depth,
-                    in_wheel_n: [0.0; 3],
+                    wrench: [0.0; 6],
                     signals: scaled(&bells(*depth), BY_PRESSURE * (value - 1.0)),
                 },
             };
@@ -414,7 +449,7 @@ pub(crate) mod tests {
                 value: traction_of(step),
                 change: Change {
                     force_n: 0.0,
-                    in_wheel_n: [0.0; 3],
+                    wrench: [0.0; 6],
                     signals: vec![vec![step * step * depth; DEGREES]; 2],
                 },
             };

@@ -4,10 +4,12 @@
 //! 2002), a signal is its mean and the sum of modes times scores of unit variance without correlation. The force at a depth, and the quantity itself, go with them.
 //! What two quantities change at once goes with each by its mean over the other; the rest is left, as dozens of small modes would cost more than they tell.
 
-use crate::field::contact_axis::{ContactAxis, MOST_NODES, Weights};
+use crate::field::contact_axis::{ContactAxis, MOST_NODES, Weights, Wrench};
 use crate::field::contact_pair::ContactPair;
 use crate::field::hermite::{DEGREES, Turn};
-use crate::field::response_surface::{Drawn, ResponseSurface, summed_signals};
+use crate::field::response_surface::{
+    Drawn, ResponseSurface, TOLD_LOADS, summed_signals, summed_wrench,
+};
 
 /// Values of a law over which a covariance is summed.
 const VALUES: usize = 64;
@@ -23,7 +25,7 @@ pub struct ScatterModes {
     pub kinds: Vec<Vec<Turn>>,
     /// Variances of the signals by kind of film that pairs of quantities have beside the modes: an estimate takes them for noise of each film.
     left: Vec<Turn>,
-    /// Numbers that an estimate tells beside angle and depth: the vertical force, then the quantities that have one axis alone.
+    /// Numbers that an estimate tells beside angle and depth: the vertical force, then the quantities that have one axis alone, then the other loads.
     pub told: Vec<Told>,
 }
 
@@ -42,6 +44,7 @@ struct Mode {
     law: usize,
     signals: Vec<Vec<f64>>,
     force_n: f64,
+    wrench: Wrench,
     /// Covariance of the axis' quantity with the score.
     of_value: f64,
 }
@@ -74,7 +77,12 @@ impl ScatterModes {
                 .map(|mode| if mode.law == law { mode.of_value } else { 0.0 })
                 .collect(),
         });
-        let told = std::iter::once(force).chain(told).collect();
+        let mean = drawn_axes.mean_wrench();
+        let loads = TOLD_LOADS.iter().map(|load| Told {
+            mean: load.of(&mean),
+            with_modes: felt.iter().map(|mode| load.of(&mode.wrench)).collect(),
+        });
+        let told = std::iter::once(force).chain(told).chain(loads).collect();
         let kinds = 0..surface.kinds();
         let of_kind = |kind: usize| {
             let signals = felt
@@ -189,6 +197,7 @@ impl<'s> DrawnAxes<'s> {
             Mode {
                 law: solved.law,
                 signals: kinds.map(|kind| summed_signals(&changes, kind)).collect(),
+                wrench: summed_wrench(&changes),
                 force_n: changes
                     .iter()
                     .map(|(weight, own)| weight * own.force_n)
@@ -197,6 +206,32 @@ impl<'s> DrawnAxes<'s> {
             }
         };
         own.scores.iter().map(mode).collect()
+    }
+
+    /// Mean over contacts of what the ground does beside the usual contact.
+    fn mean_wrench(&self) -> Wrench {
+        let mut changes = Vec::new();
+        for (axis, own) in self.axes.iter().enumerate() {
+            let Some(own) = own else { continue };
+            let solved = &self.surface.axes()[axis];
+            let mut of_nodes: Weights = [0.0; MOST_NODES];
+            for step in &own.steps {
+                let weights = solved.polynomials(*step);
+                for (sum, weight) in of_nodes.iter_mut().zip(weights) {
+                    *sum += weight / VALUES as f64;
+                }
+            }
+            let own = self.surface.changes_of_axis(self.depth_mm, axis, &of_nodes);
+            changes.extend(own);
+        }
+        for (number, pair) in self.surface.pairs().iter().enumerate() {
+            let weights = self.of_pair(pair, [None, None]);
+            let own = self
+                .surface
+                .changes_of_pair(self.depth_mm, number, &weights);
+            changes.extend(own);
+        }
+        summed_wrench(&changes)
     }
 
     /// Means of a pair's weights times these scores of its axes, each its own or none.
@@ -321,7 +356,7 @@ mod tests {
         }
         // The pressure changes all signals by one share: of an even law to 0.0998 either side the deviation is that over the root of 3.
         let alone = ScatterModes::of(&surface, 1.0, Drawn::Only(0), 13.0);
-        assert_eq!((modes.told.len(), alone.count()), (3, 1));
+        assert_eq!((modes.told.len(), alone.count()), (3 + TOLD_LOADS.len(), 1));
         let [force, pressure, traction] = [0, 1, 2].map(|k| &alone.told[k]);
         let deviation = 0.0998 / 3f64.sqrt();
         let score = alone.kinds[0][0].at(0.0) / -0.8;
@@ -342,7 +377,7 @@ mod tests {
         const PAIR: [usize; 2] = [1, 0];
         let node = |of_first: f64| Change {
             force_n: 0.0,
-            in_wheel_n: [0.0; 3],
+            wrench: [0.0; 6],
             signals: [0, 1]
                 .map(|kind| {
                     (0..DEGREES)

@@ -1,8 +1,7 @@
 //! Scores that layouts have over contacts as they come: what films tell of them, and errors by the response surface.
 
-use documents::layouts::contact_laws::ContactQuantity;
-
 use crate::field::film_field::DepthFields;
+use crate::field::response_surface::TOLD_LOADS;
 use crate::simulate::simulation::{Simulated, ToldError};
 use results::{LayoutError, LayoutScore, ToldQuantity};
 
@@ -33,16 +32,23 @@ pub(super) fn of_surface(
 
 /// Errors of what films tell of the quantities that contacts differ in.
 pub(super) fn told(fields: &DepthFields, simulated: &Simulated) -> Vec<ToldQuantity> {
-    let laws = fields.contacts.iter().flat_map(|surface| {
+    let names = fields.contacts.iter().flat_map(|surface| {
         let told = surface.told().into_iter();
-        told.map(|law| surface.laws()[law].quantity)
+        let quantities = told.map(|law| surface.laws()[law].quantity);
+        let quantities = quantities.map(|quantity| (quantity.as_str(), quantity.words()));
+        quantities.chain(TOLD_LOADS.iter().map(|load| (load.name, load.words)))
     });
-    let of = |(quantity, own): (ContactQuantity, &ToldError)| ToldQuantity {
-        of: quantity.as_str().to_owned(),
-        words: quantity.words().to_owned(),
+    let of = |((of, words), own): ((&str, &str), &ToldError)| ToldQuantity {
+        of: of.to_owned(),
+        words: words.to_owned(),
         error: own.rms,
+        error_se: Some(own.rms_se),
+        claim: None,
+        load_n: None,
         deviation: own.deviation,
         known: own.rms < KNOWN * own.deviation,
     };
-    laws.zip(&simulated.told).map(of).collect()
+    let all = names.zip(&simulated.told);
+    // A load that no contact has, as the one that side traction makes where there is none, is no question.
+    all.filter(|(_, own)| own.deviation > 0.0).map(of).collect()
 }

@@ -7,7 +7,7 @@ use crate::ranking::kendall::tau;
 use crate::simulate::simulation::LOST_DEG;
 use results::{
     FrontLayout, LayoutError, LayoutLoad, LayoutScore, LoadScore, RankedLayout, ShearError,
-    ShearScore,
+    ShearScore, ToldQuantity,
 };
 
 /// Claimed errors in standard errors of the simulation.
@@ -41,8 +41,10 @@ pub fn with_scores(
     coarse: Option<&(Vec<LayoutScore>, Coarser)>,
 ) -> RankedLayout {
     let claims = coarse.map(|(coarse, coarser)| {
-        let of = |figures: &[Figure]| coarser.of_largest * largest_change(&fine, coarse, figures);
-        [of(&BOUNDS), of(&SIMULATED)]
+        let of = |change: f64| coarser.of_largest * change;
+        let of_figures = |figures| of(largest_change(&fine, coarse, figures));
+        let bounds_and_simulated = [of_figures(&BOUNDS), of_figures(&SIMULATED)];
+        (bounds_and_simulated, of(largest_told_change(&fine, coarse)))
     });
     let scored = loads.iter().filter(|load| load.reason.is_none());
     label.loads = scored
@@ -50,7 +52,12 @@ pub fn with_scores(
         .enumerate()
         .map(|(k, (load, mut score))| {
             let both = coarse.zip(claims);
-            score.error = both.map(|((coarse, _), claims)| error(&score, &coarse[k], claims));
+            score.error = both.map(|((coarse, _), (claims, _))| error(&score, &coarse[k], claims));
+            for own in &mut score.told {
+                own.claim = claims.zip(own.error_se).map(|((_, of_mesh), error_se)| {
+                    (of_mesh * own.error).hypot(DEVIATIONS * error_se)
+                });
+            }
             if let (Some(shear), Some((coarse, coarser))) = (&mut score.shear, coarse) {
                 shear.error = coarse[k]
                     .shear
@@ -92,6 +99,18 @@ fn largest_change(fine: &[LayoutScore], coarse: &[LayoutScore], figures: &[Figur
         figures.iter().filter_map(of_figure).fold(0.0, f64::max)
     };
     fine.iter().zip(coarse).map(change).fold(0.0, f64::max)
+}
+
+/// The largest change from one mesh to another of what is told, at any load, over the larger value.
+fn largest_told_change(fine: &[LayoutScore], coarse: &[LayoutScore]) -> f64 {
+    let change = |(fine, coarse): (&ToldQuantity, &ToldQuantity)| {
+        (fine.error - coarse.error).abs() / fine.error.max(coarse.error)
+    };
+    let pairs = fine.iter().zip(coarse);
+    let told = pairs.flat_map(|(fine, coarse)| fine.told.iter().zip(&coarse.told));
+    told.map(change)
+        .filter(|change| change.is_finite())
+        .fold(0.0, f64::max)
 }
 
 /// Errors of figures that both meshes have, by what is claimed of bounds and of simulated figures, relative.

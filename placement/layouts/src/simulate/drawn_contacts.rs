@@ -28,7 +28,7 @@ pub struct TrueContact {
     pub force_n: f64,
     /// Signals by kind of film.
     pub signals: Vec<Turn>,
-    /// Values of the quantities that contacts have one of, in their laws' order; none where an estimate isn't asked for them.
+    /// Values of the quantities that contacts have one of, in their laws' order, then of the loads beside the vertical force; none where an estimate isn't asked for them.
     pub values: Vec<f64>,
 }
 
@@ -62,7 +62,7 @@ impl DrawnContacts {
                 TrueContact {
                     force_n: surface.force_n(&contact),
                     signals: kinds.clone().map(signal).collect(),
-                    values: surface.told_of(&given),
+                    values: surface.told_of(&given, &contact),
                 }
             })
         });

@@ -23,6 +23,8 @@ pub const LOST_DEG: f64 = 20.0;
 pub struct ToldError {
     /// Root mean square, in the quantity's unit.
     pub rms: f64,
+    /// Standard error of it by the number of contacts.
+    pub rms_se: f64,
     /// Standard deviation of the quantity itself.
     pub deviation: f64,
 }
@@ -194,9 +196,13 @@ impl SampleErrors {
         let spread = (0.95 * 0.05 / count).sqrt();
         let [rms_angle_deg, rms_angle_se_deg] = root_mean_square(angles);
         let [rms_depth_mm, rms_depth_se_mm] = root_mean_square(&self.depths);
-        let told = self.told.iter().map(|[errors, values]| ToldError {
-            rms: root_mean_square(errors)[0],
-            deviation: deviation(values),
+        let told = self.told.iter().map(|[errors, values]| {
+            let [rms, rms_se] = root_mean_square(errors);
+            ToldError {
+                rms,
+                rms_se,
+                deviation: deviation(values),
+            }
         });
         Simulated {
             rms_angle_deg,

@@ -14,7 +14,7 @@ use crate::points::archive::Outcome;
 use crate::score::scaled_errors::Errors;
 use documents::layouts::contact_laws::{ContactLaw, ContactQuantity};
 use layouts::arrangement::FilmKind;
-use layouts::field::contact_axis::{AxisNode, Change, ContactAxis};
+use layouts::field::contact_axis::{AxisNode, Change, ContactAxis, Wrench};
 use layouts::field::contact_pair::ContactPair;
 use layouts::field::film_field::DepthFields;
 use layouts::field::hermite::{Nodes, Turn};
@@ -39,8 +39,8 @@ pub(crate) struct SolvedContacts<'s> {
 struct Read {
     /// Force along the ground's normal.
     force_n: f64,
-    /// Force in the wheel's frame; that along the normal of an upright wheel where the solver doesn't tell.
-    in_wheel_n: [f64; 3],
+    /// Force and moments in the wheel's frame; the force along the normal of an upright wheel where the solver doesn't tell.
+    wrench: Wrench,
     signals: Vec<Vec<f64>>,
 }
 
@@ -50,7 +50,7 @@ impl Read {
         let less = |(a, b): (&Vec<f64>, &Vec<f64>)| a.iter().zip(b).map(|(a, b)| a - b).collect();
         Change {
             force_n: self.force_n - other.force_n,
-            in_wheel_n: [0, 1, 2].map(|axis| self.in_wheel_n[axis] - other.in_wheel_n[axis]),
+            wrench: std::array::from_fn(|axis| self.wrench[axis] - other.wrench[axis]),
             signals: pairs.map(less).collect(),
         }
     }
@@ -167,9 +167,10 @@ impl SolvedContacts<'_> {
             let kinds = 0..self.kinds.len();
             let expected = Read {
                 force_n: alone.force_n(&contact),
-                in_wheel_n: {
-                    let [along, across, up] = alone.changed_in_wheel_n(&contact);
-                    [along, across, up + self.usual(depth_mm).force_n]
+                wrench: {
+                    let mut wrench = alone.changed_wrench(&contact);
+                    wrench[2] += self.usual(depth_mm).force_n;
+                    wrench
                 },
                 signals: kinds.map(|kind| alone.signal(&contact, kind)).collect(),
             };
@@ -185,7 +186,8 @@ impl SolvedContacts<'_> {
         let signals = field.kinds.iter();
         Read {
             force_n: field.force_n,
-            in_wheel_n: [0.0, 0.0, field.force_n],
+            // By both mirror planes there is no other force, and no moment.
+            wrench: [0.0, 0.0, field.force_n, 0.0, 0.0, 0.0],
             signals: signals.map(|kind| kind.signal.samples().to_vec()).collect(),
         }
     }
@@ -199,7 +201,9 @@ impl SolvedContacts<'_> {
             signals.collect::<Option<_>>()
         });
         let [aft, left] = mirrors.map(|mirrored| if mirrored { -1.0 } else { 1.0 });
-        let [along, across, up] = response.force_n.unwrap_or([0.0, 0.0, response.reaction_n]);
+        let force_n = response.force_n.unwrap_or([0.0, 0.0, response.reaction_n]);
+        let [along, across, up] = force_n;
+        let [about_x, about_y, about_z] = response.moment_nmm.unwrap_or_default();
         let mut signals: Vec<Vec<f64>> =
             signals.ok_or("the solver gives no strains around the wheel")?;
         for (samples, missing) in signals.iter_mut().zip(self.missing) {
@@ -207,7 +211,15 @@ impl SolvedContacts<'_> {
         }
         Ok(Read {
             force_n: response.reaction_n,
-            in_wheel_n: [aft * along, left * across, up],
+            // A moment about an axis keeps its sign in a mirror that the axis is normal to.
+            wrench: [
+                aft * along,
+                left * across,
+                up,
+                left * about_x,
+                aft * about_y,
+                aft * left * about_z,
+            ],
             signals,
         })
     }

@@ -2858,11 +2858,19 @@ class ToldQuantity:
     """Error of what films tell of a quantity that contacts differ in."""
 
     of: str
-    """The quantity, as `layouts.contacts` names it."""
+    """The quantity, as `layouts.contacts` names it, or a load in the wheel's frame: `fx_n`, `fy_n`, `mx_nmm`,
+    `my_nmm`, `mz_nmm`."""
     words: str
     """Name for people."""
     error: float
     """Error of its estimate, root mean square over contacts, in its own unit."""
+    error_se: float | None = None
+    """Standard error of it by the number of simulated contacts; none of a study before it was told, nor are the next
+    two."""
+    claim: float | None = None
+    """Claimed error of it, by that and the coarser mesh."""
+    load_n: float | None = None
+    """Load at which it is this large, N: the worst one."""
     deviation: float
     """Standard deviation over contacts: the error where films tell nothing."""
     known: bool

@@ -64,12 +64,13 @@ fn surface_words(findings: &ContactFindings) -> String {
 fn told(layout: &RankedLayout) -> String {
     let known = |own: &ToldQuantity| {
         let words = visible(&own.words).to_string();
+        let (error, deviation) = (told_figure(own.error), told_figure(own.deviation));
+        let claim = own
+            .claim
+            .map_or_else(String::new, |claim| format!(" +-{}", told_figure(claim)));
         match own.known {
-            true => format!("{words} to {:.2} of {:.2}", own.error, own.deviation),
-            false => format!(
-                "nothing of {words} ({:.2} of {:.2})",
-                own.error, own.deviation
-            ),
+            true => format!("{words} to {error}{claim} of {deviation}"),
+            false => format!("nothing of {words} ({error} of {deviation})"),
         }
     };
     let all: Vec<String> = layout.told.iter().map(known).collect();
@@ -77,11 +78,19 @@ fn told(layout: &RankedLayout) -> String {
         true => String::new(),
         false => wrapped(
             &format!(
-                "They tell, root mean square of deviation: {}.",
+                "They tell, root mean square of deviation, each at its worst load: {}.",
                 all.join(", ")
             ),
             0,
         ),
+    }
+}
+
+/// A told quantity with as many digits as bear.
+fn told_figure(value: f64) -> String {
+    match value.abs() {
+        10.0.. => format!("{value:.0}"),
+        _ => format!("{value:.2}"),
     }
 }
 

@@ -45,12 +45,13 @@ export function ContactsTable({ layout, contacts }: { layout: RankedLayout | und
 function ToldQuantities({ told }: { told: readonly ToldQuantity[] }) {
   if (told.length === 0) return null;
   return (
-    <ScrollTable name="What films tell of contacts" columns={[words("Films tell of"), "Error, rms", "Deviation", words("So")]}>
+    <ScrollTable name="What films tell of contacts" columns={[words("Films tell of"), "Error, rms", "±", "Deviation", words("So")]}>
       <tbody>
         {told.map((own) => (
           <tr key={own.of}>
             <th scope="row">{own.words}</th>
             <td>{short(own.error)}</td>
+            <td>{own.claim == null ? "" : short(own.claim)}</td>
             <td>{short(own.deviation)}</td>
             <td class="words">{own.known ? "known" : "can't be told"}</td>
           </tr>
