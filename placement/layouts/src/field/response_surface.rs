@@ -5,44 +5,11 @@
 //! ground), and cubic over the depth. A law may be of something else than is stepped, as a traction is of the shift: its value is then looked up.
 
 use documents::layouts::contact_laws::ContactLaw;
-use gsa::design::sobol::Sobol;
 
 use crate::field::contact_axis::{Change, ContactAxis, Weights, Wrench};
 use crate::field::contact_pair::ContactPair;
 use crate::field::hermite::{DEGREES, Nodes, Shares, summed};
-
-/// Contacts by which means and variances are summed.
-const CONTACTS: u32 = 64;
-
-/// Load of the ground on the wheel that an estimate tells beside the vertical force: of the usual contact it is none.
-pub(crate) struct ToldLoad {
-    /// Number among those of a [`Wrench`].
-    axis: usize,
-    /// Name in a result.
-    pub name: &'static str,
-    /// Name for people.
-    pub words: &'static str,
-}
-
-/// Loads that an estimate tells.
-pub(crate) const TOLD_LOADS: [ToldLoad; 5] = [
-    ToldLoad::new(0, "fx_n", "Fx (N)"),
-    ToldLoad::new(1, "fy_n", "Fy (N)"),
-    ToldLoad::new(3, "mx_nmm", "Mx (N mm)"),
-    ToldLoad::new(4, "my_nmm", "My (N mm)"),
-    ToldLoad::new(5, "mz_nmm", "Mz (N mm)"),
-];
-
-impl ToldLoad {
-    const fn new(axis: usize, name: &'static str, words: &'static str) -> Self {
-        Self { axis, name, words }
-    }
-
-    /// Returns it of all that the ground does.
-    pub(super) fn of(&self, wrench: &Wrench) -> f64 {
-        wrench[self.axis]
-    }
-}
+use crate::field::told_loads::TOLD_LOADS;
 
 /// Response surface of some kinds of film over contacts.
 #[derive(Debug, Clone, PartialEq)]
@@ -184,6 +151,11 @@ impl ResponseSurface {
         self.usual.signals.len()
     }
 
+    /// Signals and forces of the usual contact.
+    pub(super) fn usual(&self) -> &DepthSignals {
+        &self.usual
+    }
+
     /// The axes.
     pub(super) fn axes(&self) -> &[ContactAxis] {
         &self.axes
@@ -301,33 +273,6 @@ impl ResponseSurface {
         self.axes[axis].reached()
     }
 
-    /// Signals and forces over contacts of which this is drawn: their means, and the variances of the signals by kind and depth.
-    pub fn over_contacts(&self, drawn: Drawn) -> (DepthSignals, Vec<Vec<Vec<f64>>>) {
-        let mut means = self.usual.clone();
-        let mut spread = means.signals.clone();
-        let points = Sobol::new(self.axes.len());
-        let shares: Vec<Vec<f64>> = (0..CONTACTS).map(|k| points.point(k, 0)).collect();
-        for (node, depth) in self.usual.depths.places().iter().enumerate() {
-            let contacts: Vec<Contact> = shares
-                .iter()
-                .map(|shares| self.contact(*depth, &self.drawn(shares, drawn)))
-                .collect();
-            means.forces_n[node] = moments(contacts.iter().map(|own| self.force_n(own)))[0];
-            for (kind, spread) in spread.iter_mut().enumerate() {
-                let signals: Vec<Vec<f64>> = contacts
-                    .iter()
-                    .map(|contact| self.signal(contact, kind))
-                    .collect();
-                for degree in 0..DEGREES {
-                    let [mean, variance] = moments(signals.iter().map(|signal| signal[degree]));
-                    means.signals[kind][node][degree] = mean;
-                    spread[node][degree] = variance;
-                }
-            }
-        }
-        (means, spread)
-    }
-
     /// Values of the axes' quantities at shares of their laws, from 0 to 1, of those laws that are drawn; the others are as usual.
     pub fn drawn(&self, shares: &[f64], drawn: Drawn) -> Vec<Given> {
         let value = |(axis, share): (&ContactAxis, &f64)| {
@@ -378,14 +323,6 @@ fn add(sums: &mut [f64], samples: &[f64], weight: f64) {
     }
 }
 
-/// Mean and variance of some numbers.
-fn moments(numbers: impl Iterator<Item = f64> + Clone) -> [f64; 2] {
-    let count = f64::from(CONTACTS);
-    let mean = numbers.clone().sum::<f64>() / count;
-    let squares = numbers.map(|number| (number - mean) * (number - mean));
-    [mean, squares.sum::<f64>() / count]
-}
-
 #[cfg(test)]
 pub(crate) mod tests {
     use documents::layouts::contact_laws::ContactQuantity;
@@ -395,7 +332,9 @@ pub(crate) mod tests {
     use crate::field::contact_axis::AxisNode;
 
     /// A share by which signals are larger for each unit of a quantity.
-    const BY_PRESSURE: f64 = -0.8;
+    pub(crate) const BY_PRESSURE: f64 = -0.8;
+    /// Millimetres below the axle at which the ground pulls.
+    pub(crate) const LEVER_MM: f64 = 49.0;
     /// Newtons for each unit of pressure and mm.
     const STIFFER_N: f64 = 10.0;
 
@@ -407,7 +346,7 @@ pub(crate) mod tests {
     }
 
     /// A bell of 14 degrees, and its slope, times the depth.
-    fn bells(depth: f64) -> Vec<Vec<f64>> {
+    pub(crate) fn bells(depth: f64) -> Vec<Vec<f64>> {
         let bell = |u: i32| depth * (-0.5 * (f64::from(u) / 14.0).powi(2)).exp();
         let slope = |u: i32| -f64::from(u) / 14.0 * bell(u);
         vec![
@@ -416,7 +355,7 @@ pub(crate) mod tests {
         ]
     }
 
-    /// Signals that a pressure makes smaller, and a traction adds the square of its shift to; it saturates with the shift.
+    /// Signals that a pressure makes smaller, and a traction adds the square of its shift to, as it does to the pull; it saturates with the shift.
     pub(crate) fn surface() -> ResponseSurface {
         let depths = vec![0.5, 1.0, 1.5];
         let usual = DepthSignals {
@@ -449,7 +388,14 @@ pub(crate) mod tests {
                 value: traction_of(step),
                 change: Change {
                     force_n: 0.0,
-                    wrench: [0.0; 6],
+                    wrench: [
+                        step * step * depth,
+                        0.0,
+                        0.0,
+                        0.0,
+                        -LEVER_MM * step * step * depth,
+                        0.0,
+                    ],
                     signals: vec![vec![step * step * depth; DEGREES]; 2],
                 },
             };
@@ -501,46 +447,5 @@ pub(crate) mod tests {
         let beyond = surface.contact(1.0, &[Given::Value(1.3), Given::Value(0.0)]);
         let end = surface.contact(1.0, &[Given::Step(1.0), Given::Step(0.0)]);
         assert!((surface.force_n(&beyond) - surface.force_n(&end)).abs() < 1e-9);
-    }
-
-    #[test]
-    fn variances_over_contacts_are_those_of_the_laws() {
-        let of = |axis: usize| {
-            let mut surface = surface();
-            surface.axes = vec![ContactAxis {
-                law: 0,
-                ..surface.axes[axis].clone()
-            }];
-            surface.laws = vec![surface.laws[axis].clone()];
-            surface
-        };
-        let (means, spread) = of(0).over_contacts(Drawn::All);
-        let [contact, opposite] = [180, 0].map(|degree| spread[0][1][degree]);
-        // Of an even law between -r and r the variance is r^2 / 3; 64 points of a net, and what isn't drawn, leave 1 %.
-        let expected = (BY_PRESSURE * 0.1).powi(2) / 3.0;
-        assert!((means.signals[0][1][180] - 1.0).abs() < 1e-3);
-        assert!((contact / expected - 1.0).abs() < 0.02, "{contact}");
-        assert!(opposite < 1e-30);
-        // A force that is symmetric about the usual one is that one in the mean.
-        assert!((means.forces_n[1] - 13.0).abs() < 0.02);
-        let (usual, nothing) = of(0).over_contacts(Drawn::Nothing);
-        let off = |(found, flat): (&f64, f64)| (found - flat).abs();
-        let flat = bells(1.0).swap_remove(0);
-        assert!(
-            usual.signals[0][1]
-                .iter()
-                .zip(flat)
-                .map(off)
-                .all(|off| off < 1e-14)
-        );
-        // The mean of 64 equal numbers is off by 64 roundings at most.
-        let rounding = (64.0 * f64::EPSILON).powi(2);
-        assert!(
-            nothing
-                .iter()
-                .flatten()
-                .flatten()
-                .all(|variance| *variance < rounding)
-        );
     }
 }

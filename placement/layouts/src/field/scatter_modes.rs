@@ -7,9 +7,8 @@
 use crate::field::contact_axis::{ContactAxis, MOST_NODES, Weights, Wrench};
 use crate::field::contact_pair::ContactPair;
 use crate::field::hermite::{DEGREES, Turn};
-use crate::field::response_surface::{
-    Drawn, ResponseSurface, TOLD_LOADS, summed_signals, summed_wrench,
-};
+use crate::field::response_surface::{Drawn, ResponseSurface, summed_signals, summed_wrench};
+use crate::field::told_loads::TOLD_LOADS;
 
 /// Values of a law over which a covariance is summed.
 const VALUES: usize = 64;
@@ -322,7 +321,7 @@ fn squares(signals: &[Vec<f64>]) -> f64 {
 mod tests {
     use super::*;
     use crate::field::contact_axis::Change;
-    use crate::field::response_surface::tests::surface;
+    use crate::field::response_surface::tests::{LEVER_MM, surface};
 
     /// Variance over a law of one quantity alone of a film's signal, by contacts of the surface.
     fn variance(surface: &ResponseSurface, law: usize, [kind, degree]: [usize; 2]) -> f64 {
@@ -353,6 +352,32 @@ mod tests {
                     "{degree} {sum} {expected}"
                 );
             }
+        }
+        // Loads go with the traction's square, as signals do.
+        let pull = |share: f64| {
+            let contact = surface.contact(1.0, &surface.drawn(&[share; 2], Drawn::Only(1)));
+            surface.changed_wrench(&contact)[0]
+        };
+        let pulls: Vec<f64> = shares().map(pull).collect();
+        let mean = pulls.iter().sum::<f64>() / VALUES as f64;
+        let squares = pulls.iter().map(|pull| (pull - mean).powi(2));
+        let deviation = (squares.sum::<f64>() / VALUES as f64).sqrt();
+        let [along, across, .., about_axle, _] = &modes.told[3..] else {
+            panic!("five loads")
+        };
+        for (told, lever) in [(along, 1.0), (about_axle, -LEVER_MM), (across, 0.0)] {
+            let covariances = told.with_modes.iter().map(|own| own * own);
+            let found = covariances.sum::<f64>().sqrt();
+            let expected = (lever * deviation).abs();
+            assert!(
+                (found - expected).abs() < 1e-9 * (1.0 + expected),
+                "{found} {expected}"
+            );
+            assert!(
+                (told.mean - lever * mean).abs() < 1e-9,
+                "{} {mean}",
+                told.mean
+            );
         }
         // The pressure changes all signals by one share: of an even law to 0.0998 either side the deviation is that over the root of 3.
         let alone = ScatterModes::of(&surface, 1.0, Drawn::Only(0), 13.0);

@@ -1,7 +1,7 @@
 //! Scores that layouts have over contacts as they come: what films tell of them, and errors by the response surface.
 
 use crate::field::film_field::DepthFields;
-use crate::field::response_surface::TOLD_LOADS;
+use crate::field::told_loads::TOLD_LOADS;
 use crate::simulate::simulation::{Simulated, ToldError};
 use results::{LayoutError, LayoutScore, ToldQuantity};
 
