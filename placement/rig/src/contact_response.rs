@@ -1,5 +1,7 @@
 //! Responses of a tire with its films to a contact: charges and forces, as a rig asks for them.
 
+use documents::layouts::contact_laws::ContactQuantity;
+
 /// Contact of the ground at one instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contact {
@@ -29,6 +31,19 @@ pub enum DrawnFor {
     Stance,
     /// Each run, as the pressure.
     Run,
+}
+
+impl DrawnFor {
+    /// Returns for which span a quantity is drawn; none for a traction, which is the shear's.
+    pub fn of(quantity: ContactQuantity) -> Option<Self> {
+        match quantity {
+            ContactQuantity::Camber | ContactQuantity::Uneven | ContactQuantity::Rough => {
+                Some(Self::Stance)
+            }
+            ContactQuantity::Pressure | ContactQuantity::Friction => Some(Self::Run),
+            ContactQuantity::Traction | ContactQuantity::SideTraction => None,
+        }
+    }
 }
 
 /// Response of a tire with its films to a contact that is pressed slowly. In the air it isn't asked: charges and forces are those of the inflated tire, 0.

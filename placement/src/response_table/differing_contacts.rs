@@ -9,7 +9,7 @@ use crate::layout::solving::contact_scenes::ContactScenes;
 use crate::layout::solving::layout_fields::mesh_fields;
 use crate::layout::solving::layout_scenes::LayoutScenes;
 use crate::points::{Place, RunContext, RunError, outcomes_of_all};
-use documents::layouts::contact_laws::{ContactQuantity, Contacts};
+use documents::layouts::contact_laws::Contacts;
 use documents::study::Study;
 use layouts::arrangement::FilmKind;
 use layouts::field::hermite::{Nodes, Turn, summed};
@@ -42,7 +42,7 @@ impl StudyContacts {
         if !contacts
             .laws
             .iter()
-            .any(|law| drawn_for(law.quantity).is_some())
+            .any(|law| DrawnFor::of(law.quantity).is_some())
         {
             return Ok(None);
         }
@@ -99,17 +99,6 @@ impl StudyContacts {
     }
 }
 
-/// Span for which a quantity is drawn; none of a traction.
-fn drawn_for(quantity: ContactQuantity) -> Option<DrawnFor> {
-    match quantity {
-        ContactQuantity::Camber | ContactQuantity::Uneven | ContactQuantity::Rough => {
-            Some(DrawnFor::Stance)
-        }
-        ContactQuantity::Pressure | ContactQuantity::Friction => Some(DrawnFor::Run),
-        ContactQuantity::Traction | ContactQuantity::SideTraction => None,
-    }
-}
-
 /// Quantities that contacts differ in, as a table's kinds of film feel them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DifferingContacts {
@@ -123,7 +112,7 @@ impl DifferingContacts {
     fn new(surface: ResponseSurface) -> Self {
         let quantity = |law: usize| surface.laws()[law].quantity;
         let all = surface.laws_of_axes().enumerate();
-        let drawn = all.filter_map(|(axis, law)| Some((axis, drawn_for(quantity(law))?)));
+        let drawn = all.filter_map(|(axis, law)| Some((axis, DrawnFor::of(quantity(law))?)));
         let (axes, drawn) = drawn.unzip();
         Self {
             surface,
@@ -204,6 +193,7 @@ mod tests {
 
     use super::*;
     use documents::layouts::contact_laws::ContactLaw;
+    use documents::layouts::contact_laws::ContactQuantity;
 
     /// Signals that grow with the depth and the square of a camber, and with a traction; forces that lean with the wheel.
     fn differing() -> DifferingContacts {

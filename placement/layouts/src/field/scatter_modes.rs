@@ -4,7 +4,7 @@
 //! 2002), a signal is its mean and the sum of modes times scores of unit variance without correlation. The force at a depth, and the quantity itself, go with them.
 //! What two quantities change at once goes with each by its mean over the other; the rest is left, as dozens of small modes would cost more than they tell.
 
-use crate::field::contact_axis::{ContactAxis, MOST_NODES, Weights, Wrench};
+use crate::field::contact_axis::{ContactAxis, Weights, Wrench};
 use crate::field::contact_pair::ContactPair;
 use crate::field::hermite::{DEGREES, Turn};
 use crate::field::response_surface::{Drawn, ResponseSurface, summed_signals, summed_wrench};
@@ -168,18 +168,22 @@ impl<'s> DrawnAxes<'s> {
         }
     }
 
+    /// Weights of an axis' nodes at each value that is drawn; none where its quantity isn't.
+    fn weights_of(&self, axis: usize) -> Vec<Weights> {
+        let solved = &self.surface.axes()[axis];
+        let steps = self.axes[axis].iter().flat_map(|own| &own.steps);
+        steps.map(|step| solved.polynomials(*step)).collect()
+    }
+
     /// Modes of one axis; none where its quantity isn't drawn.
     fn modes_of(&self, axis: usize) -> Vec<Mode> {
         let Some(own) = &self.axes[axis] else {
             return Vec::new();
         };
         let solved = &self.surface.axes()[axis];
-        let weights: Vec<Weights> = own.steps.iter().map(|x| solved.polynomials(*x)).collect();
+        let weights = self.weights_of(axis);
         let mode = |scores: &Vec<f64>| {
-            let mut of_nodes: Weights = [0.0; MOST_NODES];
-            for (node, weight) in of_nodes.iter_mut().enumerate() {
-                *weight = mean(scores.iter().zip(&weights).map(|(s, w)| s * w[node]));
-            }
+            let of_nodes = mean_weights(scores, &weights);
             let mut changes = self.surface.changes_of_axis(self.depth_mm, axis, &of_nodes);
             for (number, pair) in self.surface.pairs().iter().enumerate() {
                 // The mean over the other quantity goes with this one alone.
@@ -210,16 +214,8 @@ impl<'s> DrawnAxes<'s> {
     /// Mean over contacts of what the ground does beside the usual contact.
     fn mean_wrench(&self) -> Wrench {
         let mut changes = Vec::new();
-        for (axis, own) in self.axes.iter().enumerate() {
-            let Some(own) = own else { continue };
-            let solved = &self.surface.axes()[axis];
-            let mut of_nodes: Weights = [0.0; MOST_NODES];
-            for step in &own.steps {
-                let weights = solved.polynomials(*step);
-                for (sum, weight) in of_nodes.iter_mut().zip(weights) {
-                    *sum += weight / VALUES as f64;
-                }
-            }
+        for axis in 0..self.axes.len() {
+            let of_nodes = mean_weights(&[1.0; VALUES], &self.weights_of(axis));
             let own = self.surface.changes_of_axis(self.depth_mm, axis, &of_nodes);
             changes.extend(own);
         }
@@ -282,6 +278,12 @@ impl<'s> DrawnAxes<'s> {
         }
         left
     }
+}
+
+/// Means of nodes' weights times scores over a law's values.
+fn mean_weights(scores: &[f64], weights: &[Weights]) -> Weights {
+    let of_node = |node: usize| mean(scores.iter().zip(weights).map(|(s, w)| s * w[node]));
+    std::array::from_fn(of_node)
 }
 
 /// Mean of numbers over a law's values.

@@ -91,11 +91,7 @@ fn p95(score: &LayoutScore) -> f64 {
 /// The largest change of some figures from one mesh to another, at any load, over the larger value: a single one may agree on two meshes by chance.
 fn largest_change(fine: &[LayoutScore], coarse: &[LayoutScore], figures: &[Figure]) -> f64 {
     let change = |(fine, coarse): (&LayoutScore, &LayoutScore)| {
-        let of_figure = |of: &Figure| {
-            let (fine, coarse) = (of(fine)?, of(coarse)?);
-            let larger = fine.max(coarse);
-            Some((fine - coarse).abs() / larger).filter(|_| larger > 0.0)
-        };
+        let of_figure = |of: &Figure| relative_change(of(fine)?, of(coarse)?);
         figures.iter().filter_map(of_figure).fold(0.0, f64::max)
     };
     fine.iter().zip(coarse).map(change).fold(0.0, f64::max)
@@ -103,14 +99,22 @@ fn largest_change(fine: &[LayoutScore], coarse: &[LayoutScore], figures: &[Figur
 
 /// The largest change from one mesh to another of what is told, at any load, over the larger value.
 fn largest_told_change(fine: &[LayoutScore], coarse: &[LayoutScore]) -> f64 {
-    let change = |(fine, coarse): (&ToldQuantity, &ToldQuantity)| {
-        (fine.error - coarse.error).abs() / fine.error.max(coarse.error)
+    let change = |fine: &ToldQuantity, coarse: &LayoutScore| {
+        let same = coarse.told.iter().find(|own| own.of == fine.of)?;
+        relative_change(fine.error, same.error)
     };
     let pairs = fine.iter().zip(coarse);
-    let told = pairs.flat_map(|(fine, coarse)| fine.told.iter().zip(&coarse.told));
-    told.map(change)
-        .filter(|change| change.is_finite())
-        .fold(0.0, f64::max)
+    let changes = pairs.flat_map(|(fine, coarse)| {
+        let told = fine.told.iter();
+        told.filter_map(move |own| change(own, coarse))
+    });
+    changes.fold(0.0, f64::max)
+}
+
+/// Difference of two figures over the larger one; none where that is 0.
+fn relative_change(a: f64, b: f64) -> Option<f64> {
+    let larger = a.max(b);
+    (larger > 0.0).then(|| (a - b).abs() / larger)
 }
 
 /// Errors of figures that both meshes have, by what is claimed of bounds and of simulated figures, relative.

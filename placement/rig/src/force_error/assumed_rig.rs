@@ -2,8 +2,9 @@
 
 use fem_client::film::amplifier::Circuit;
 
+use crate::contact_response::DrawnFor;
 use crate::force_error::thinned_run::NEIGHBOURS;
-use documents::layouts::contact_laws::{ContactLaw, ContactQuantity};
+use documents::layouts::contact_laws::ContactLaw;
 use documents::rig::gait_settings::{GaitSettings, RunLength};
 use documents::rig::rig_settings::{Electronics, Noise, RigSettings};
 
@@ -156,19 +157,15 @@ fn gait(gait: &GaitSettings) -> [String; 2] {
 }
 
 fn ground(contacts: &[ContactLaw]) -> String {
-    let is_of =
-        |law: &&ContactLaw, quantities: &[ContactQuantity]| quantities.contains(&law.quantity);
-    let words = |quantities: &[ContactQuantity]| -> Vec<String> {
-        let own = contacts.iter().filter(|law| is_of(law, quantities));
+    let words = |span: DrawnFor| -> Vec<String> {
+        let is_own = |law: &&ContactLaw| DrawnFor::of(law.quantity) == Some(span);
+        let own = contacts.iter().filter(is_own);
         own.map(ContactLaw::described).collect()
     };
-    let of_stance = words(&[
-        ContactQuantity::Camber,
-        ContactQuantity::Uneven,
-        ContactQuantity::Rough,
-    ]);
-    let of_run = words(&[ContactQuantity::Pressure, ContactQuantity::Friction]);
-    let parts = [(of_stance, "stance"), (of_run, "run")];
+    let parts = [
+        (words(DrawnFor::Stance), "stance"),
+        (words(DrawnFor::Run), "run"),
+    ];
     let drawn = parts.into_iter().filter(|(words, _)| !words.is_empty());
     let drawn: Vec<String> = drawn
         .map(|(words, each)| format!("{}, drawn for each {each}", words.join(" and ")))

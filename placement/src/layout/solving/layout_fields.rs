@@ -126,9 +126,10 @@ impl MeshFields {
     /// Deviation of a surface over contacts beside this field, of which shares are claimed.
     pub(crate) fn surface_error(&self, found: &ContactFindings) -> SurfaceError {
         let deepest = self.depths().into_iter().fold(0.0, f64::max);
+        let deviation = |claim: Option<f64>, rms: f64| claim.map_or(rms, |claim| claim / NORMAL_95);
         SurfaceError {
-            signal: found.signal_claim.unwrap_or(0.0) / NORMAL_95 * self.crown_at(deepest),
-            force_n: found.force_claim_n.unwrap_or(0.0) / NORMAL_95,
+            signal: deviation(found.signal_claim, found.signal_error_rms) * self.crown_at(deepest),
+            force_n: deviation(found.force_claim_n, found.force_error_n),
         }
     }
 }
