@@ -32,7 +32,7 @@ help:
 	@echo "make test    every check and test; a suite alone: test-rust test-web test-browser test-conformance test-attacks test-exports test-schemas test-python verify"
 	@echo "make generate   what follows from the program: description of the service, types of its clients, dashboard, schemas, pages"
 	@echo "make pictures   the pictures of the README, drawn anew; VIEWS=--all for every view, into web/screenshots/"
-	@echo "make prove   what takes hours: advisories, generated clients, 200 kills, 10 000 random scenes, the tables of the docs, ten minutes of fuzzing (READER=scene, study, sweep, inputs, values, recording or model)"
+	@echo "make prove   what takes hours: advisories, generated clients, 200 kills, studies on linear bricks, ten minutes of requests, 10 000 random scenes, the tables of the docs, ten minutes of fuzzing (READER=scene, study, sweep, inputs, values, recording or model)"
 
 run: build
 	$(STRAINSITE) run studies/foot-tire.toml
@@ -77,8 +77,10 @@ generate: build-tested setup-npm setup-python
 # The rigs of lab print the tables of docs/.
 RIGS := $(filter-out random_scenes figure,$(basename $(notdir $(wildcard lab/examples/*.rs lab/examples/*/*.rs))))
 
-prove: setup-rust audit test-clients
+prove: setup-rust setup-python build-tested audit test-clients
 	STRAINSITE_KILLS=200 $(CARGO) test $(ALL) --test slow kill
+	$(CARGO) test $(ALL) --test slow five_depth_study -- --ignored
+	STRAINSITE_CONFORMANCE_S=600 tests/conformance/run
 	$(CARGO) build $(ALL) --examples
 	$(TARGET)/ci/examples/random_scenes 10000 1
 	for rig in $(RIGS); do echo "== $$rig"; $(TARGET)/ci/examples/$$rig; done
@@ -112,7 +114,7 @@ test-rust: setup-rust
 verify: $(PROGRAM)
 	$(TESTED) verify
 
-# The running service against its own description, for a minute.
+# The running service against its own description, for half a minute.
 test-conformance: $(PROGRAM) setup-python
 	tests/conformance/run
 

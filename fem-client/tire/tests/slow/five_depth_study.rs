@@ -57,7 +57,9 @@ fn studies_on_quadratic_bricks_are_the_independent_code_s() {
     assert_eq!(compare(|study| study.name.starts_with("Q2")), 2);
 }
 
+/// Studies use quadratic bricks; `make prove` runs this.
 #[test]
+#[ignore = "takes half a minute"]
 fn studies_on_linear_bricks_are_too() {
     assert_eq!(compare(|study| study.name.starts_with("Q1")), 3);
 }
