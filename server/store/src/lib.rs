@@ -7,6 +7,7 @@
 //! - [`queue`]: what was asked, whose turn it is, what happened
 //! - [`points`]: solved points
 //! - [`answers`]: results and measured trades
+//! - [`merging`]: what other databases have, taken in
 //! - `seals`: rows that stay in their places
 //! - [`removal`]: taking studies out, with all that is theirs alone
 //!
@@ -18,6 +19,7 @@ mod column;
 pub mod content;
 mod database;
 pub mod file;
+pub mod merging;
 pub mod points;
 pub mod queue;
 pub mod removal;

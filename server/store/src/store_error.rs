@@ -42,6 +42,14 @@ pub enum StoreError {
         /// Cause in the words of the system or SQLite, and what to do.
         cause: String,
     },
+    /// Another database can't be taken in.
+    #[error("{} wasn't merged: {cause}", path.display())]
+    Merge {
+        /// The file of the other database.
+        path: PathBuf,
+        /// Cause, a clause.
+        cause: String,
+    },
     /// The disk is full, or the database has grown as far as it may.
     #[error(
         "the database can't grow: its disk is full, or it has reached --max-database-mb; free some space, remove studies \

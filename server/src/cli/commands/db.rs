@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 use std::pin::pin;
 use std::time::Duration;
 
-use clap::{Args, Subcommand};
+use clap::{Args, Subcommand, ValueEnum};
+use serde::Serialize;
 use tokio::runtime::Runtime;
 
 use crate::cli::terminal::exit::Failure;
@@ -13,10 +14,13 @@ use crate::cli::terminal::output::{JsonTarget, tell};
 use crate::cli::terminal::paint::{BAD, GOOD, painted};
 use crate::cli::terminal::progress::{TICK, bytes_bar, clock, count, counting_bar};
 use crate::config::age;
+use store::StoreError;
 use store::clock::before;
 use store::file::copies::{self, Replaced};
 use store::file::opening;
 use store::file::upkeep::{self, Inspection};
+use store::merging::parts::{Counted, Merged, Taken};
+use store::merging::target::Merging;
 use store::removal::pruning::{Mode, Pruned, prune};
 use store::removal::retention::Retention;
 
@@ -56,6 +60,15 @@ enum Task {
         #[arg(long)]
         discard: bool,
     },
+    /// Take in what other databases have: points by their keys, ended studies by their identifiers; not while the service runs
+    Merge {
+        /// Databases, each read whole and compared with its hashes first; one that says something else than this one does is refused
+        #[arg(required = true, value_name = "FILE")]
+        files: Vec<PathBuf>,
+        /// Part that is taken; everything when nothing is said
+        #[arg(long, value_enum, value_name = "PART")]
+        keep: Option<Part>,
+    },
     /// Remove old studies and sweeps, with the points that no other study has; not while the service runs
     Prune {
         /// Least time since they ended: a number of minutes, hours, days or weeks, as in 90d
@@ -72,6 +85,25 @@ enum Task {
     Vacuum,
     /// Let points be solved again that the program died of three times; not while the service runs
     Release,
+}
+
+/// Part of a database.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+enum Part {
+    /// Points alone, which studies here then find
+    Points,
+    /// All but points and estimators: results, with nothing to analyse them again from
+    Results,
+}
+
+/// File that was merged, or refused, as JSON.
+#[derive(Debug, Serialize)]
+struct MergedFile {
+    file: PathBuf,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    taken: Option<Merged>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    refused: Option<String>,
 }
 
 impl Db {
@@ -98,6 +130,7 @@ impl Db {
                 };
                 self.prune(&runtime, &retention, *dry_run)
             }
+            Task::Merge { files, keep } => self.merge(&runtime, files, *keep),
             Task::Vacuum => self.vacuum(&runtime),
             Task::Release => self.release(&runtime),
         }
@@ -163,6 +196,45 @@ impl Db {
         tell(&text, self.json.as_ref())
     }
 
+    fn merge(
+        &self,
+        runtime: &Runtime,
+        files: &[PathBuf],
+        keep: Option<Part>,
+    ) -> Result<(), Failure> {
+        let taken = match keep {
+            None => Taken::Everything,
+            Some(Part::Points) => Taken::Points,
+            Some(Part::Results) => Taken::Results,
+        };
+        let merged = runtime.block_on(async {
+            let mut merging = Merging::open(&self.db).await?;
+            let mut merged = Vec::new();
+            for file in files {
+                let bar = counting_bar(0, "rows");
+                let seen = |done, of| count(&bar, done, of);
+                let found = merging.take(file, taken, &seen).await;
+                bar.finish_and_clear();
+                merged.push(MergedFile::of(file, found)?);
+            }
+            merging.close().await?;
+            Ok(merged)
+        });
+        let merged: Vec<MergedFile> = merged.map_err(|error: StoreError| Failure::other(error))?;
+        if let Some(target) = &self.json {
+            target.write(&merged)?;
+        }
+        let text: String = merged.iter().map(MergedFile::text).collect();
+        tell(&text, self.json.as_ref())?;
+        match merged.iter().filter(|one| one.refused.is_some()).count() {
+            0 => Ok(()),
+            refused => Err(Failure::Other(format!(
+                "{refused} of {} weren't merged",
+                counted(files.len() as u64, "file", "files")
+            ))),
+        }
+    }
+
     fn release(&self, runtime: &Runtime) -> Result<(), Failure> {
         let released = runtime.block_on(upkeep::release(&self.db));
         let text = match released.map_err(Failure::other)? {
@@ -204,11 +276,59 @@ impl Db {
     }
 }
 
-fn pruned_text(pruned: &Pruned, mode: Mode) -> String {
-    let counted = |count: u64, one: &str, many: &str| match count {
+impl MergedFile {
+    /// A file that was taken or refused; what else failed isn't the file's fault.
+    fn of(file: &Path, found: Result<Merged, StoreError>) -> Result<Self, StoreError> {
+        let (taken, refused) = match found {
+            Ok(taken) => (Some(taken), None),
+            Err(
+                error @ (StoreError::Merge { .. }
+                | StoreError::Open { .. }
+                | StoreError::InUse { .. }),
+            ) => (None, Some(error.to_string())),
+            Err(error) => return Err(error),
+        };
+        Ok(Self {
+            file: file.to_owned(),
+            taken,
+            refused,
+        })
+    }
+
+    fn text(&self) -> String {
+        let Some(taken) = &self.taken else {
+            let refused = self.refused.as_deref().unwrap_or_default();
+            return format!("- {}\n", painted(BAD, refused));
+        };
+        let kinds = [
+            (taken.studies, "study", "studies"),
+            (taken.sweeps, "sweep", "sweeps"),
+            (taken.points, "point", "points"),
+            (taken.trades, "measured trade", "measured trades"),
+            (taken.estimators, "estimator", "estimators"),
+        ];
+        let words = |count: fn(Counted) -> u64| {
+            let some = kinds.iter().filter(|(kind, ..)| count(*kind) > 0);
+            let words: Vec<String> = some
+                .map(|(kind, one, many)| counted(count(*kind), one, many))
+                .collect();
+            (!words.is_empty()).then(|| words.join(", "))
+        };
+        let taken = words(|kind| kind.new).unwrap_or_else(|| "nothing new".to_owned());
+        let known = words(|kind| kind.known)
+            .map_or(String::new(), |known| format!("; known before: {known}"));
+        format!("{}: {taken}{known}\n", self.file.display())
+    }
+}
+
+fn counted(count: u64, one: &str, many: &str) -> String {
+    match count {
         1 => format!("1 {one}"),
         count => format!("{count} {many}"),
-    };
+    }
+}
+
+fn pruned_text(pruned: &Pruned, mode: Mode) -> String {
     let done = match mode {
         Mode::Remove => "removed",
         Mode::Count => "would remove",

@@ -113,6 +113,7 @@ pub(crate) const DB: &str = "Examples:
   strainsite db check --db tires.db
   strainsite db backup copy.db
   strainsite db restore copy.db
+  strainsite db merge colleague.db other.db
   strainsite db vacuum";
 
 /// Examples of `validate`.

@@ -83,14 +83,10 @@ pub async fn restore(
     if old.is_some() && is_foreign(&place).await {
         return Err(condition::foreign(&place));
     }
-    let mut from = readable(&source).await?;
     let _name = NameLock::take(&place)?;
     // What the database let nobody else read, no copy lets them.
     let like = if old.is_some() { &place } else { &source };
-    let copy = Unfinished::begin(&place, like)?;
-    write(&mut from, &copy).await?;
-    from.close().await?;
-    prepare(&source, copy.path(), seen).await?;
+    let copy = whole(&source, &place, like, Tables::Any, seen).await?;
     let Some(old) = &mut old else {
         remove_companions(&place, None);
         return copy.place().map(|()| None);
@@ -103,6 +99,34 @@ pub async fn restore(
     remove_companions(&place, kept.as_deref());
     copy.replace(kept.as_deref())?;
     Ok(kept)
+}
+
+/// Tables that a copy may have.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Tables {
+    /// Ours, and whatever somebody put beside them.
+    Any,
+    /// Ours alone.
+    Ours,
+}
+
+/// A copy beside `target`, with the rights of the file `like`, whose rows were all read and match their hashes; its tables are up to date.
+///
+/// # Errors
+/// [`StoreError::Open`] when the source isn't whole, or can't be read.
+pub(crate) async fn whole(
+    source: &Place,
+    target: &Place,
+    like: &Place,
+    tables: Tables,
+    seen: &dyn Fn(usize, usize),
+) -> Result<Unfinished, StoreError> {
+    let mut from = readable(source).await?;
+    let copy = Unfinished::begin(target, like)?;
+    write(&mut from, &copy).await?;
+    from.close().await?;
+    prepare(source, copy.path(), tables, seen).await?;
+    Ok(copy)
 }
 
 /// A database that this program can read.
@@ -138,17 +162,26 @@ async fn is_foreign(place: &Place) -> bool {
 async fn prepare(
     source: &Place,
     copy: &Path,
+    tables: Tables,
     seen: &dyn Fn(usize, usize),
 ) -> Result<(), StoreError> {
     let place = Place::of(copy)?;
     pools::bootstrap(&place).await?;
     let mut connection = opening::to_read(copy).await?;
+    if tables == Tables::Ours
+        && let Some(strange) = schema::strange(&mut connection).await?
+    {
+        connection.close().await?;
+        return Err(source.failed(format!(
+            "it has a table, view or trigger {strange:?} that isn't one of strainsite's"
+        )));
+    }
     let found = upkeep::inspect(&mut connection, seen).await;
     connection.close().await?;
     let faults = found?.faults;
     if let Some(fault) = faults.first() {
         let cause = format!(
-            "it isn't whole ({fault}; {} faults in all), and the database was left as it is: restore another copy",
+            "it isn't whole ({fault}; {} faults in all), and the database was left as it is",
             faults.len()
         );
         return Err(source.failed(cause));

@@ -2,8 +2,10 @@
 
 use std::sync::LazyLock;
 
-use sqlx::SqlSafeStr;
 use sqlx::migrate::{Migration, MigrationType, Migrator};
+use sqlx::{Connection, SqlSafeStr, SqliteConnection};
+
+use crate::store_error::StoreError;
 
 /// The files of `migrations`, in order, each by its number and name.
 static CHANGES: [(&str, &str); 5] = [
@@ -52,6 +54,32 @@ fn change(file: &str, sql: &'static str) -> Option<Migration> {
 pub fn is_first(version: i64, checksum: &[u8]) -> bool {
     let first = MIGRATIONS.iter().next();
     first.is_some_and(|first| first.version == version && *first.checksum == *checksum)
+}
+
+/// Name of a table, view, trigger or index that the changes don't make, or make otherwise.
+///
+/// # Errors
+/// When it can't be read.
+pub(crate) async fn strange(
+    connection: &mut SqliteConnection,
+) -> Result<Option<String>, StoreError> {
+    let mut fresh = SqliteConnection::connect("sqlite::memory:").await?;
+    MIGRATIONS
+        .run(&mut fresh)
+        .await
+        .map_err(sqlx::Error::from)?;
+    let [own, found] = [objects(&mut fresh).await?, objects(connection).await?];
+    fresh.close().await?;
+    let mut others = found.iter().filter(|object| !own.contains(object));
+    Ok(others.next().map(|(name, _)| name.clone()))
+}
+
+/// Names and definitions of all that a database has. SQLite's own have none.
+async fn objects(
+    connection: &mut SqliteConnection,
+) -> Result<Vec<(String, Option<String>)>, StoreError> {
+    let query = "select name, sql from sqlite_schema where sql is not null and name not like 'sqlite~_%' escape '~' order by name";
+    Ok(sqlx::query_as(query).fetch_all(connection).await?)
 }
 
 /// Number of the newest change of the tables.

@@ -7,8 +7,10 @@ use serde_json::Value;
 use sqlx::sqlite::SqliteConnectOptions;
 use sqlx::{Connection, SqliteConnection};
 
-use super::draft;
+use crate::cli::draft;
 use crate::program::{spawn, strainsite, text};
+
+mod merging;
 
 fn done(output: &Output) -> &str {
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));

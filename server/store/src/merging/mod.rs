@@ -1,0 +1,8 @@
+//! Taking in what another database of this program has: points by their content keys, studies by their identifiers.
+//!
+//! A file is read whole from a private copy and compared with its hashes, and taken in one transaction, or refused and named. Doing it again changes nothing.
+
+mod differing;
+pub mod parts;
+mod taking;
+pub mod target;
