@@ -3,8 +3,8 @@
 SHELL := /bin/bash
 .SHELLFLAGS := -eu -o pipefail -c
 .PHONY: help run build build-tested build-all check test generate prove audit pictures \
-	test-cargo test-program format clippy house test-unit test-rust verify test-conformance test-attacks test-clients test-exports test-schemas test-python test-browser test-web \
-	setup-build setup-rust setup-proxy setup-java setup-npm setup-browser setup-python setup-test
+	test-cargo test-program format clippy house test-unit test-rust verify test-cluster test-conformance test-attacks test-clients test-exports test-schemas test-python test-browser test-web \
+	setup-build setup-rust setup-cluster setup-proxy setup-java setup-npm setup-browser setup-python setup-test
 
 TARGET := $(or $(CARGO_TARGET_DIR),target)
 STRAINSITE := $(TARGET)/release/strainsite
@@ -29,7 +29,7 @@ help:
 	@echo "make run     build, run the paper's study on the default database, serve the dashboard"
 	@echo "make build   the program alone, $(STRAINSITE)"
 	@echo "make check   format, lints, rules of the house and unit tests: what one runs every few minutes"
-	@echo "make test    every check and test; a suite alone: test-rust test-web test-browser test-conformance test-attacks test-exports test-schemas test-python verify"
+	@echo "make test    every check and test; a suite alone: test-rust test-cluster test-web test-browser test-conformance test-attacks test-exports test-schemas test-python verify"
 	@echo "make generate   what follows from the program: description of the service, types of its clients, dashboard, schemas, pages"
 	@echo "make pictures   the pictures of the README, drawn anew; VIEWS=--all for every view, into web/screenshots/"
 	@echo "make prove   what takes hours: advisories, generated clients, 200 kills, studies on linear bricks, ten minutes of requests, 10 000 random scenes, the tables of the docs, ten minutes of fuzzing (READER=scene, study, sweep, inputs, values, recording or model)"
@@ -68,7 +68,7 @@ test:
 
 test-cargo: format house test-rust
 
-test-program: test-conformance test-attacks test-exports test-schemas test-python test-browser test-web verify
+test-program: test-cluster test-conformance test-attacks test-exports test-schemas test-python test-browser test-web verify
 
 # Examples in the description are recorded: lab/examples.py, when an answer has a new field.
 generate: build-tested setup-npm setup-python
@@ -113,6 +113,10 @@ test-rust: setup-rust
 # Every case whose answer is known; the Rust tests ran the extremes.
 verify: $(PROGRAM)
 	$(TESTED) verify
+
+# A real Slurm of three nodes, which waits more than it works.
+test-cluster: $(PROGRAM) setup-cluster
+	tests/cluster/run
 
 # The running service against its own description, for half a minute.
 test-conformance: $(PROGRAM) setup-python
@@ -170,6 +174,10 @@ setup-rust: setup-build
 setup-proxy:
 	@command -v nginx >/dev/null || test -x /usr/sbin/nginx || { $(INSTALL) nginx-light; }
 
+# Slurm as Debian has it; the test starts it as its own user.
+setup-cluster: setup-build
+	@command -v slurmctld >/dev/null || test -x /usr/sbin/slurmctld || { $(INSTALL) slurm-wlm munge; }
+
 setup-java:
 	@command -v java >/dev/null || { $(INSTALL) default-jre-headless; }
 
@@ -183,4 +191,4 @@ setup-python:
 	@python3 -c 'import ensurepip, venv' 2>/dev/null || { $(INSTALL) python3-venv; }
 	@python/environment >/dev/null
 
-setup-test: setup-rust setup-proxy setup-browser setup-python web/node_modules/.package-lock.json tests/browser/node_modules/.package-lock.json
+setup-test: setup-rust setup-cluster setup-proxy setup-browser setup-python web/node_modules/.package-lock.json tests/browser/node_modules/.package-lock.json

@@ -9,6 +9,33 @@ use clap::Args;
 use placement::points::machine_memory::machine_memory_bytes;
 use store::{Store, StoreError};
 
+/// Shares of the machine that solves may take.
+#[derive(Debug, Clone, Args)]
+pub struct Work {
+    /// Solves that run at once; all cores when absent
+    #[arg(long, env = "STRAINSITE_THREADS", value_name = "N")]
+    threads: Option<NonZeroUsize>,
+    /// Memory that a study may take, MB; the machine's when absent
+    #[arg(long, env = "STRAINSITE_MAX_MEMORY_MB", value_name = "MB")]
+    max_memory_mb: Option<NonZeroU32>,
+}
+
+impl Work {
+    /// Solves that run at once.
+    pub fn threads(&self) -> usize {
+        let cores = || std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
+        self.threads
+            .map_or_else(cores, NonZeroUsize::get)
+            .min(MAX_THREADS)
+    }
+
+    /// Memory that a study may take, bytes.
+    pub fn memory_bytes(&self) -> u64 {
+        self.max_memory_mb
+            .map_or_else(machine_memory_bytes, |mb| u64::from(mb.get()) * 1_000_000)
+    }
+}
+
 /// Configuration: where studies are kept, and how many solves run at once.
 #[derive(Debug, Clone, Args)]
 pub struct Config {
@@ -20,12 +47,8 @@ pub struct Config {
         default_value = "strainsite.db"
     )]
     pub db: PathBuf,
-    /// Solves that run at once; all cores when absent
-    #[arg(long, env = "STRAINSITE_THREADS", value_name = "N")]
-    pub threads: Option<NonZeroUsize>,
-    /// Memory that a study may take, MB; the machine's when absent
-    #[arg(long, env = "STRAINSITE_MAX_MEMORY_MB", value_name = "MB")]
-    pub max_memory_mb: Option<NonZeroU32>,
+    #[command(flatten)]
+    pub work: Work,
     /// Size that the database may grow to, MB; the disk's when absent
     #[arg(long, env = "STRAINSITE_MAX_DATABASE_MB", value_name = "MB")]
     pub max_database_mb: Option<NonZeroU32>,
@@ -42,16 +65,12 @@ impl Config {
 
     /// Solves that run at once.
     pub fn threads(&self) -> usize {
-        let cores = || std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
-        self.threads
-            .map_or_else(cores, NonZeroUsize::get)
-            .min(MAX_THREADS)
+        self.work.threads()
     }
 
     /// Memory that a study may take, bytes.
     pub fn memory_bytes(&self) -> u64 {
-        self.max_memory_mb
-            .map_or_else(machine_memory_bytes, |mb| u64::from(mb.get()) * 1_000_000)
+        self.work.memory_bytes()
     }
 
     /// Size that the database may grow to, bytes.
@@ -73,6 +92,16 @@ pub fn seconds(text: &str) -> Result<Duration, String> {
     seconds
         .map(Duration::from_secs_f64)
         .ok_or_else(|| "a time is a number of seconds from 1 to 1e6".to_owned())
+}
+
+/// Reads a time, minutes.
+///
+/// # Errors
+/// A sentence that says what would be right.
+pub(crate) fn minutes(text: &str) -> Result<f64, String> {
+    let minutes: Option<f64> = text.parse().ok();
+    let minutes = minutes.filter(|minutes| (0.01..=1e5).contains(minutes));
+    minutes.ok_or_else(|| "a time is a number of minutes from 0.01 to 1e5".to_owned())
 }
 
 /// Reads an age: a number of minutes, hours, days or weeks.

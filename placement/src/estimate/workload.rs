@@ -170,10 +170,7 @@ impl Workload {
         of_own_method: &dyn Fn(Vec<Point>) -> Vec<Point>,
     ) -> Self {
         let study = &planned.study;
-        let path = match study.accuracy {
-            Accuracy::Preset => vec![Fidelity::of(study)],
-            Accuracy::Tolerance(_) | Accuracy::Budget(_) => path(Fidelity::of(study)),
-        };
+        let path = rungs(study);
         let (mut known, mut stages) = (HashSet::new(), Vec::new());
         let mut effects_due = true;
         for fidelity in path {
@@ -286,6 +283,14 @@ fn numbers() -> impl Fn(&[Scene], &Starts, &Readout) -> Vec<String> {
         let first = next.get();
         next.set(first + scenes.len());
         (first..next.get()).map(|key| key.to_string()).collect()
+    }
+}
+
+/// Rungs that a study is answered on, as far as is known before.
+pub(super) fn rungs(study: &Study) -> Vec<Fidelity> {
+    match study.accuracy {
+        Accuracy::Preset => vec![Fidelity::of(study)],
+        Accuracy::Tolerance(_) | Accuracy::Budget(_) => path(Fidelity::of(study)),
     }
 }
 

@@ -19,8 +19,8 @@ pub use self::run_context::RunContext;
 pub use self::run_error::RunError;
 pub use self::run_event::{Event, Observer};
 pub(crate) use self::series::{
-    Answers, Place, PointSeries, SceneSeries, Starts, answers_of_all, keys, outcomes,
-    outcomes_of_all,
+    Answers, Place, PointReadouts, PointSeries, SceneSeries, Starts, answers_of_all, keys,
+    outcomes, outcomes_of_all,
 };
 use crate::points::archive::Outcome;
 

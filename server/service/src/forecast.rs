@@ -202,6 +202,31 @@ pub async fn forecast_sweep(
     Ok(SweepEstimate::of(designs))
 }
 
+/// Times that designs are expected to take, s, one after the other, and which of their points a database has. A time is none where a design has no plan, or nothing is known of the solver.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn forecast_designs(
+    store: &Store,
+    solver: &Arc<dyn Solver>,
+    threads: usize,
+    works: &[Option<Workload>],
+) -> Result<(Vec<Option<f64>>, HashSet<String>), StoreError> {
+    let mut connection = store.read().await?;
+    let keys: Vec<&str> = works.iter().flatten().flat_map(Workload::keys).collect();
+    let there = evaluations::known(&mut connection, &keys).await?;
+    let samples = evaluations::samples(&mut connection).await?;
+    let machine = Machine::measured(solves_at_once(threads), &samples, solver.as_ref());
+    let mut known = there.clone();
+    let expected = works.iter().map(|work| {
+        let work = work.as_ref()?;
+        let estimated = estimate(work, &known, &machine);
+        known.extend(work.keys().map(str::to_owned));
+        estimated.wall_s.map(|wall_s| wall_s.expected)
+    });
+    Ok((expected.collect(), there))
+}
+
 /// Returns what a study takes of memory with so many solves at once, bytes.
 pub fn memory_bytes(work: &Workload, threads: usize) -> u64 {
     let machine = Machine::new(solves_at_once(threads));

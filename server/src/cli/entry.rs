@@ -5,6 +5,7 @@ use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser, Subcommand};
 
+use crate::cli::commands::sweep::tasks;
 use crate::cli::commands::{
     compare, db, documents, export, force, gsa, library, run, serve, shell, solve, sweep, trade,
     verify,
@@ -51,6 +52,8 @@ enum Command {
     /// Run one study over a grid of designs, and compare them
     #[command(after_help = help_examples::SWEEP)]
     Sweep(sweep::Sweep),
+    /// Have designs of a sweep solved by other machines: write them as tasks, run one, take in what came of them
+    Tasks(tasks::Tasks),
     /// Compare studies, or the designs of a sweep: what differs, and which differences are real
     #[command(after_help = help_examples::COMPARE)]
     Compare(compare::Compare),
@@ -124,6 +127,7 @@ impl Command {
             Self::Force(command) => command.execute(),
             Self::Trade(command) => command.execute(),
             Self::Sweep(command) => command.execute(),
+            Self::Tasks(command) => command.execute(),
             Self::Compare(command) => command.execute(),
             Self::Presets(command) => command.execute(),
             Self::List(command) => command.execute(),
@@ -147,6 +151,7 @@ impl Command {
             Self::Force(command) => command.json(),
             Self::Trade(command) => command.json.clone(),
             Self::Sweep(command) => command.json.clone(),
+            Self::Tasks(command) => command.json(),
             Self::Compare(command) => command.json.clone(),
             Self::Presets(command) => command.json.clone(),
             Self::List(command) => command.json.clone(),
@@ -171,6 +176,7 @@ impl Command {
             Self::Force(command) => command.files(),
             Self::Trade(command) => command.files(),
             Self::Sweep(command) => command.files(),
+            Self::Tasks(command) => command.files(),
             Self::Compare(command) => command.files(),
             Self::Presets(command) => command.files(),
             Self::List(command) => command.files(),

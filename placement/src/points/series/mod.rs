@@ -17,6 +17,7 @@ mod starts;
 
 pub(crate) use self::planned_points::{Answers, Place};
 pub(crate) use self::point_keys::keys;
+pub(crate) use self::point_readouts::PointReadouts;
 pub(crate) use self::scene_outcomes::{outcomes, outcomes_of_all};
 pub(crate) use self::series_group::{PointSeries, SceneSeries, answers_of_all};
 pub(crate) use self::starts::Starts;

@@ -213,8 +213,12 @@ impl Db {
             for file in files {
                 let bar = counting_bar(0, "rows");
                 let seen = |done, of| count(&bar, done, of);
-                let found = merging.take(file, taken, &seen).await;
+                let whole = merging.read(file, &seen).await;
                 bar.finish_and_clear();
+                let found = match whole {
+                    Ok(whole) => merging.take(&whole, taken).await,
+                    Err(refused) => Err(refused),
+                };
                 merged.push(MergedFile::of(file, found)?);
             }
             merging.close().await?;

@@ -79,6 +79,21 @@ pub(crate) const SWEEP: &str = "Examples:
   strainsite sweep --resume 019aa2b3
   strainsite sweep --resume 019aa2b3 --grid geometry.wall_mm=4 --json sweep.json";
 
+/// Examples of `tasks make`.
+pub(crate) const TASKS_MAKE: &str = "Examples:
+  strainsite tasks make studies/foot-tire.toml --grid geometry.wall_mm=2.5,3,3.5 --dir walls
+  strainsite tasks make --resume 019aa2b3 --dir again --minutes 30";
+
+/// Examples of `tasks run`.
+pub(crate) const TASKS_RUN: &str = "Examples:
+  strainsite tasks run walls 1
+  strainsite tasks run walls 2 --threads 8";
+
+/// Examples of `tasks gather`.
+pub(crate) const TASKS_GATHER: &str = "Examples:
+  strainsite tasks gather walls
+  strainsite tasks gather walls --db tires.db --json gathered.json";
+
 /// Examples of `compare`.
 pub(crate) const COMPARE: &str = "Examples:
   strainsite compare 019aa2b3 019aa2c7

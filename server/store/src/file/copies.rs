@@ -63,6 +63,18 @@ pub async fn write(connection: &mut SqliteConnection, copy: &Unfinished) -> Resu
     }
 }
 
+/// Writes the database as it is now to a file, in the place of what may be there; until it is whole that stays.
+///
+/// # Errors
+/// [`StoreError::Copy`] when it can't be written.
+pub async fn hand_in(source: &Path, target: &Path) -> Result<(), StoreError> {
+    let mut connection = opening::to_read(source).await?;
+    let copy = Unfinished::begin(&Place::of(target)?, &Place::of(source)?)?;
+    let written = write(&mut connection, &copy).await;
+    connection.close().await?;
+    written.and_then(|()| copy.replace(None))
+}
+
 /// Puts a copy in the place of the database, and returns under what name the one before is kept. The copy is read whole first, and brought up
 /// to date beside the place; it then takes the place at once. Killed at any moment, the old database is there or the new one, and this can be
 /// done again. Tells `seen` how many rows it has read, and of how many.

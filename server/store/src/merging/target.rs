@@ -1,6 +1,6 @@
 //! A database that takes others in, file by file.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use sqlx::{Connection, SqliteConnection};
 
@@ -16,11 +16,36 @@ use crate::file::unfinished::Unfinished;
 use crate::file::{opening, upkeep};
 use crate::store_error::StoreError;
 
+/// Settings for taking in much at once: with a rollback journal new pages are written once, where the log and its checkpoint write them twice; 64 MB of them in memory are
+/// written in one go.
+const FOR_MUCH: [&str; 3] = [
+    "pragma journal_mode = delete",
+    "pragma cache_size = -65536",
+    "pragma temp_store = memory",
+];
+
+/// File that was read whole: a private copy of it, which goes with this value.
+#[derive(Debug)]
+pub struct WholeFile {
+    named: PathBuf,
+    copy: Unfinished,
+}
+
+impl WholeFile {
+    /// A connection that reads the copy.
+    ///
+    /// # Errors
+    /// When it can't be opened.
+    pub async fn open(&self) -> Result<SqliteConnection, StoreError> {
+        opening::to_read(self.copy.path()).await
+    }
+}
+
 /// A database that takes others in, for this process alone.
 #[derive(Debug)]
 pub struct Merging {
     place: Place,
-    connection: SqliteConnection,
+    pub(super) connection: SqliteConnection,
     // Last: SQLite closes its descriptors first.
     _lock: DatabaseLock,
 }
@@ -32,7 +57,10 @@ impl Merging {
     /// [`StoreError::InUse`] when another process has it; when it can't be written.
     pub async fn open(database: &Path) -> Result<Self, StoreError> {
         Store::open(database).await?.close().await?;
-        let (lock, connection) = upkeep::alone(database).await?;
+        let (lock, mut connection) = upkeep::alone(database).await?;
+        for pragma in FOR_MUCH {
+            sqlx::query(pragma).execute(&mut connection).await?;
+        }
         Ok(Self {
             place: Place::of(database)?,
             connection,
@@ -40,16 +68,15 @@ impl Merging {
         })
     }
 
-    /// Takes in what a file has. Tells `seen` how many of its rows were read, and of how many.
+    /// Reads a file whole from a private copy. Tells `seen` how many of its rows were read, and of how many.
     ///
     /// # Errors
-    /// [`StoreError::Merge`] when the file isn't whole, has other tables, or says something else of a point or study that is known here; nothing of it is taken then.
-    pub async fn take(
-        &mut self,
+    /// [`StoreError::Open`] when it isn't whole, or has other tables; [`StoreError::Merge`] when it is the database itself.
+    pub async fn read(
+        &self,
         file: &Path,
-        taken: Taken,
         seen: &dyn Fn(usize, usize),
-    ) -> Result<Merged, StoreError> {
+    ) -> Result<WholeFile, StoreError> {
         let refused = |cause: String| StoreError::Merge {
             path: file.to_owned(),
             cause,
@@ -59,18 +86,32 @@ impl Merging {
         if id.is_some() && id == FileId::at(&self.place.real) {
             return Err(refused("it is the database itself".to_owned()));
         }
-        let copy = self.copy(&source, seen).await?;
-        let attached = sqlx::query("attach database ? as other");
-        let name = copy.path().to_str();
+        let beside = Place::of(&self.place.beside(".merging"))?;
+        let copy = copies::whole(&source, &beside, &self.place, Tables::Ours, seen).await?;
+        Ok(WholeFile {
+            named: file.to_owned(),
+            copy,
+        })
+    }
+
+    /// Takes in what a file has.
+    ///
+    /// # Errors
+    /// [`StoreError::Merge`] when it says something else of a point, study or sweep that is known here; nothing of it is taken then.
+    pub async fn take(&mut self, file: &WholeFile, taken: Taken) -> Result<Merged, StoreError> {
+        let refused = |cause: String| StoreError::Merge {
+            path: file.named.clone(),
+            cause,
+        };
+        let name = file.copy.path().to_str();
         let name = name.ok_or_else(|| refused("its path isn't UTF-8".to_owned()))?;
-        attached.bind(name).execute(&mut self.connection).await?;
+        self.attach(name).await?;
         let merged = self.take_attached(taken).await;
-        let detached = sqlx::query("detach database other");
-        detached.execute(&mut self.connection).await?;
+        self.detach().await?;
         match merged? {
             Ok(merged) => Ok(merged),
             Err(difference) => {
-                let mut theirs = opening::to_read(copy.path()).await?;
+                let mut theirs = file.open().await?;
                 let said = difference.told(&mut self.connection, &mut theirs).await;
                 theirs.close().await?;
                 Err(refused(said?))
@@ -78,14 +119,18 @@ impl Merging {
         }
     }
 
-    /// A private copy of the file, whole and with our tables.
-    async fn copy(
-        &self,
-        source: &Place,
-        seen: &dyn Fn(usize, usize),
-    ) -> Result<Unfinished, StoreError> {
-        let beside = Place::of(&self.place.beside(".merging"))?;
-        copies::whole(source, &beside, &self.place, Tables::Ours, seen).await
+    /// Attaches another database as `other`.
+    pub(super) async fn attach(&mut self, path: &str) -> Result<(), StoreError> {
+        let attached = sqlx::query("attach database ? as other").bind(path);
+        attached.execute(&mut self.connection).await?;
+        Ok(())
+    }
+
+    /// Takes that one off again.
+    pub(super) async fn detach(&mut self) -> Result<(), StoreError> {
+        let detached = sqlx::query("detach database other");
+        detached.execute(&mut self.connection).await?;
+        Ok(())
     }
 
     /// Takes what the attached database has, or says what it has otherwise.
@@ -101,6 +146,11 @@ impl Merging {
         let merged = taking::take(&mut transaction, taken).await?;
         transaction.commit().await?;
         Ok(Ok(merged))
+    }
+
+    /// Connection of the database.
+    pub fn connection(&mut self) -> &mut SqliteConnection {
+        &mut self.connection
     }
 
     /// Closes the database, which folds its log into the file.

@@ -117,12 +117,12 @@ impl Crew<'_> {
 }
 
 /// Returns what a design asks of a solver; what can't be planned fails by itself.
-fn workload(design: &DesignRow, solver: &dyn Solver) -> Option<Workload> {
+pub(super) fn workload(design: &DesignRow, solver: &dyn Solver) -> Option<Workload> {
     let planned = stored_plan(&design.study).ok()?;
     Some(Workload::of(&planned, solver))
 }
 
-fn keys(work: &Option<Workload>) -> Vec<String> {
+pub(super) fn keys(work: &Option<Workload>) -> Vec<String> {
     let keys = work.iter().flat_map(Workload::keys);
     keys.map(str::to_owned).collect()
 }
@@ -130,7 +130,7 @@ fn keys(work: &Option<Workload>) -> Vec<String> {
 /// Designs by their places, those that share a key in one group.
 ///
 /// A forest, in which each design points to an earlier one of its group, and the first of a group to itself.
-fn grouped(designs: impl Iterator<Item = Vec<String>>) -> Vec<Vec<usize>> {
+pub(super) fn grouped(designs: impl Iterator<Item = Vec<String>>) -> Vec<Vec<usize>> {
     let mut earlier: Vec<usize> = Vec::new();
     let mut first_with: HashMap<String, usize> = HashMap::new();
     for (index, keys) in designs.enumerate() {

@@ -1,19 +1,19 @@
 //! `strainsite sweep`: one study over a grid of designs, without the service.
 
+mod asked;
 mod designs;
+pub mod tasks;
 
-use std::path::PathBuf;
 use std::sync::Arc;
 
 use clap::Args;
-use documents::study::Study;
-use documents::sweep::{self as placed, Design, Sweep as Plan, sweep_of, typed_grid};
+use documents::sweep::Sweep as Plan;
 use placement::compare::{Comparison, compare};
 use serde_json::json;
 use tokio::runtime::Runtime;
 
 use crate::cli::commands::compare::table;
-use crate::cli::commands::library;
+use crate::cli::commands::sweep::asked::Asked;
 use crate::cli::commands::sweep::designs::Crew;
 use crate::cli::solver_option::SolverOption;
 use crate::cli::terminal::estimate_text::{dry_sweep, estimated};
@@ -26,34 +26,18 @@ use crate::cli::terminal::signals::stop_flag;
 use crate::config::Config;
 use service::comparison::of_designs;
 use service::engine::Engine;
-use service::forecast::{admit, forecast_sweep, plan_study};
+use service::forecast::forecast_sweep;
 use service::metrics::Metrics;
 use service::queue::recover;
-use service::queue::sweeps::{Continuation, designs_of, store};
-use service::study_document::{named_files, read_changed, stored_base};
+use service::queue::sweeps::designs_of;
 use service::wire::sweep_wire::SweepDetail;
 use service::work::memory_share::MemoryShare;
-use store::queue::sweep_rows::{self, SweepRow};
-use store::{Store, StoreError};
 
 /// Run one study over a grid of designs, and compare them
 #[derive(Debug, Args)]
 pub struct Sweep {
-    /// Study file, TOML or JSON, or the name of a shipped study
-    #[arg(required_unless_present = "resume", conflicts_with = "resume")]
-    study: Option<PathBuf>,
-    /// Values that a field takes, as in geometry.wall_mm=2.5,3,3.5; given more than once, every combination is a design
-    #[arg(long, value_name = "KEY=V1,V2,...", required_unless_present = "resume")]
-    grid: Vec<String>,
-    /// Set a field of the study or its scene otherwise in all designs; may be given more than once
-    #[arg(long, value_name = "KEY=VALUE", conflicts_with = "resume")]
-    set: Vec<String>,
-    /// Go on with a sweep of the database, and with the designs of --grid beside its own
-    #[arg(long, value_name = "ID")]
-    resume: Option<String>,
-    /// Name of the sweep; like its study when absent
-    #[arg(long, value_name = "NAME", conflicts_with = "resume")]
-    name: Option<String>,
+    #[command(flatten)]
+    asked: Asked,
     #[command(flatten)]
     config: Config,
     #[command(flatten)]
@@ -69,19 +53,14 @@ pub struct Sweep {
 impl Sweep {
     /// Returns the files that it reads and writes.
     pub fn files(&self) -> Files {
-        let study = self.study.as_deref().map(named_files);
         Files::of_database(&self.config.db)
-            .reading(study.unwrap_or_default())
+            .reading(self.asked.files())
             .telling(self.json.as_ref())
     }
 
     /// Runs the designs that have no result yet, and prints the comparison.
     pub fn execute(&self) -> Result<(), Failure> {
-        let plan = self
-            .study
-            .as_ref()
-            .map(|path| self.plan(path))
-            .transpose()?;
+        let plan = self.asked.plan()?;
         let runtime = Runtime::new().map_err(Failure::other)?;
         if let (true, Some(plan)) = (self.dry_run, &plan) {
             return self.estimate(&runtime, plan);
@@ -117,12 +96,6 @@ impl Sweep {
         Ok(())
     }
 
-    fn plan(&self, path: &std::path::Path) -> Result<Plan, Failure> {
-        let base = read_changed(path, &self.set).map_err(Failure::Input)?.study;
-        let grid = typed_grid(&self.grid).map_err(Failure::Input)?;
-        sweep_of(base, self.name.as_deref(), &grid).map_err(Failure::Input)
-    }
-
     fn estimate(&self, runtime: &Runtime, plan: &Plan) -> Result<(), Failure> {
         let solver = self.solver.solver().map_err(Failure::other)?;
         let threads = self.config.threads();
@@ -147,7 +120,8 @@ impl Sweep {
         runtime
             .block_on(recover(&engine.store))
             .map_err(Failure::other)?;
-        let sweep = self.stored(runtime, engine, plan)?;
+        let there = self.config.memory_bytes();
+        let sweep = self.asked.stored(runtime, engine, plan, there)?;
         let stop = stop_flag(runtime)?;
         let designs = || {
             let found = runtime.block_on(designs_of(&engine.store, &sweep.id));
@@ -181,78 +155,4 @@ impl Sweep {
         let detail = SweepDetail::of(&sweep, &ended).map_err(Failure::other)?;
         Ok((detail, comparison))
     }
-
-    /// The sweep, new or gone on with, in the database.
-    fn stored(
-        &self,
-        runtime: &Runtime,
-        engine: &Engine,
-        plan: Option<&Plan>,
-    ) -> Result<SweepRow, Failure> {
-        let admit_all = |designs: &[Design]| {
-            let there = self.config.memory_bytes();
-            designs.iter().try_for_each(|design| {
-                let admitted = async {
-                    let planned = plan_study(&design.study).await?;
-                    admit(&engine.solver, engine.threads, there, &planned).await
-                };
-                runtime
-                    .block_on(admitted)
-                    .map_err(|error| Failure::input(format!("{}: {error}", design.name)))
-            })
-        };
-        let Some(plan) = plan else {
-            let wanted = self.resume.as_deref().unwrap_or_default();
-            let sweep = runtime.block_on(sweep_named(&engine.store, wanted))?;
-            let base = stored_base(&sweep).map_err(Failure::Other)?;
-            let further = self.further(&base)?;
-            admit_all(&further)?;
-            let there = runtime
-                .block_on(designs_of(&engine.store, &sweep.id))
-                .map_err(Failure::other)?;
-            let continuation = Continuation::resuming(&there).and_adding(&there, further);
-            let continuation = continuation.map_err(|error| Failure::input(error.to_string()))?;
-            runtime
-                .block_on(go_on(&engine.store, &sweep, &continuation))
-                .map_err(Failure::other)?;
-            return Ok(sweep);
-        };
-        admit_all(&plan.designs)?;
-        runtime
-            .block_on(new(&engine.store, plan))
-            .map_err(Failure::other)
-    }
-
-    fn further(&self, base: &Study) -> Result<Vec<Design>, Failure> {
-        if self.grid.is_empty() {
-            return Ok(Vec::new());
-        }
-        let grid = typed_grid(&self.grid).map_err(Failure::Input)?;
-        let document = json!({"grid": grid});
-        placed::designs_of(base, &document).map_err(Failure::Input)
-    }
-}
-
-async fn sweep_named(from: &Store, beginning: &str) -> Result<SweepRow, Failure> {
-    let mut connection = from.read().await.map_err(Failure::other)?;
-    library::sweep(&mut connection, beginning).await
-}
-
-async fn new(to: &Store, plan: &Plan) -> Result<SweepRow, StoreError> {
-    let mut transaction = to.begin().await?;
-    let id = store(&mut transaction, plan, 0).await?;
-    let row = sweep_rows::find(&mut transaction, &id).await?;
-    to.commit(transaction, 0).await?;
-    row.ok_or(StoreError::Database(sqlx::Error::RowNotFound))
-}
-
-/// Puts back what has no result, and adds further designs.
-async fn go_on(
-    to: &Store,
-    sweep: &SweepRow,
-    continuation: &Continuation,
-) -> Result<(), StoreError> {
-    let mut transaction = to.begin().await?;
-    continuation.store(&mut transaction, sweep).await?;
-    to.commit(transaction, 0).await
 }

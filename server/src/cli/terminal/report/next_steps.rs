@@ -58,10 +58,7 @@ fn told(kind: &str, id: &str, database: &Path, steps: &[(&str, &str)]) -> String
     );
     let named = match database == Path::new(USUAL) {
         true => String::new(),
-        false => format!(
-            " --db '{}'",
-            database.display().to_string().replace('\'', "'\\''")
-        ),
+        false => format!(" --db {}", shell_word(database)),
     };
     for (command, why) in steps {
         let _ = writeln!(
@@ -71,6 +68,16 @@ fn told(kind: &str, id: &str, database: &Path, steps: &[(&str, &str)]) -> String
         );
     }
     text
+}
+
+/// A path as a shell takes it for one word.
+pub(crate) fn shell_word(path: &Path) -> String {
+    let text = path.display().to_string();
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || "_./-+".contains(c);
+    match text.chars().all(is_plain) && !text.starts_with('-') {
+        true => text,
+        false => format!("'{}'", text.replace('\'', "'\\''")),
+    }
 }
 
 #[cfg(test)]

@@ -104,7 +104,7 @@ async fn a_study_that_waits_ends_by_what_was_solved_elsewhere() {
 }
 
 /// Alters the response of a database's first point, hash and all.
-async fn poison(database: &Path) {
+pub(crate) async fn poison(database: &Path) {
     let mut connection = sql(database).await;
     let query = "select key, scene, replace(response, 'reaction_n\":1', 'reaction_n\":2') as response, cost from evaluations limit 1";
     let columns: (String, String, String, String) = sqlx::query_as(query)

@@ -10,7 +10,7 @@ use sqlx::{Connection, SqliteConnection};
 use crate::cli::draft;
 use crate::program::{spawn, strainsite, text};
 
-mod merging;
+pub(crate) mod merging;
 
 fn done(output: &Output) -> &str {
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));

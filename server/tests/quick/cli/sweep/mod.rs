@@ -2,8 +2,10 @@
 
 use serde_json::Value;
 
-use super::draft;
+use crate::cli::draft;
 use crate::program::{strainsite, text};
+
+mod tasks;
 
 fn json(bytes: &[u8]) -> Value {
     serde_json::from_slice(bytes).expect("one JSON document")

@@ -1,0 +1,248 @@
+//! `strainsite tasks gather`: takes in what tasks handed in, each once one of its points gave the same bits here.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+use clap::Args;
+use fem_client::solver::{Response, SolveRequest, Solver};
+use placement::estimate::FirstPoint;
+use serde::Serialize;
+use sqlx::{Connection, SqliteConnection};
+use tokio::runtime::Runtime;
+
+use super::task_folder::{Task, TaskFolder};
+use crate::cli::solver_option::SolverOption;
+use crate::cli::terminal::exit::Failure;
+use crate::cli::terminal::files::Files;
+use crate::cli::terminal::output::{JsonTarget, tell};
+use crate::cli::terminal::paint::{BAD, GOOD, painted};
+use crate::cli::terminal::progress::{count, counting_bar};
+use crate::cli::terminal::report::next_steps::shell_word;
+use service::study_document::stored_plan;
+use store::StoreError;
+use store::merging::parts::{Merged, Taken};
+use store::merging::target::{Merging, WholeFile};
+use store::points::evaluations;
+use store::queue::study_rows::{self, State};
+
+/// Take in what was handed in
+#[derive(Debug, Args)]
+pub(super) struct Gather {
+    /// Folder of the tasks
+    #[arg(value_name = "FOLDER")]
+    dir: PathBuf,
+    /// Database that the tasks were made from
+    #[arg(
+        long,
+        env = "STRAINSITE_DB",
+        value_name = "FILE",
+        default_value = "strainsite.db"
+    )]
+    db: PathBuf,
+    #[command(flatten)]
+    solver: SolverOption,
+    /// Write what became of each task as JSON to a file, or to standard output with -
+    #[arg(long, value_name = "FILE|-")]
+    pub json: Option<JsonTarget>,
+}
+
+/// Task, and what became of it.
+#[derive(Debug, Serialize)]
+struct Gathered {
+    task: usize,
+    /// Designs that have ended, of those that it has.
+    ended: usize,
+    designs: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    taken: Option<Merged>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    refused: Option<String>,
+}
+
+impl Gather {
+    pub fn files(&self) -> Files {
+        Files::of_database(&self.db).telling(self.json.as_ref())
+    }
+
+    pub fn execute(&self) -> Result<(), Failure> {
+        let (folder, tasks) = TaskFolder::open(&self.dir)?;
+        let runtime = Runtime::new().map_err(Failure::other)?;
+        let solver = self.solver.solver().map_err(Failure::other)?;
+        let gathered = runtime.block_on(async {
+            let opened = Merging::open(&self.db).await;
+            let mut head = opened.map_err(Failure::other)?;
+            let mut gathered = Vec::new();
+            for (index, task) in tasks.tasks.iter().enumerate() {
+                gathered.push(one(&mut head, &folder, index + 1, task, &solver).await?);
+            }
+            head.close().await.map_err(Failure::other)?;
+            Ok::<_, Failure>(gathered)
+        });
+        let gathered = gathered?;
+        if let Some(target) = &self.json {
+            target.write(&gathered)?;
+        }
+        let sum = |of: fn(&Gathered) -> usize| gathered.iter().map(of).sum::<usize>();
+        let (ended, designs) = (sum(|one| one.ended), sum(|one| one.designs));
+        let lines: String = gathered.iter().map(Gathered::line).collect();
+        let database = shell_word(&self.db);
+        let text = format!(
+            "{lines}{ended} of {designs} designs have ended\n  strainsite sweep --resume {} --db {database}  # solves what is left here, and compares\n",
+            tasks.sweep
+        );
+        tell(&text, self.json.as_ref())?;
+        match ended == designs && gathered.iter().all(|one| one.refused.is_none()) {
+            true => Ok(()),
+            false => Err(Failure::Partial(format!(
+                "{} of {designs} designs are missing: the reasons stand above; tasks that are given once more go on from what they have",
+                designs - ended
+            ))),
+        }
+    }
+}
+
+/// Takes in what a task handed in, or says why not.
+async fn one(
+    head: &mut Merging,
+    folder: &TaskFolder,
+    number: usize,
+    task: &Task,
+    solver: &Arc<dyn Solver>,
+) -> Result<Gathered, Failure> {
+    let file = folder.done(number);
+    let (mut taken, mut refused) = (None, None);
+    if file.exists() {
+        match merged(head, &file, task, solver)
+            .await
+            .map_err(Failure::other)?
+        {
+            Ok(merged) => taken = Some(merged),
+            Err(because) => {
+                let aside = folder.set_aside(number)?;
+                refused = Some(format!("{because}; kept as {}", aside.display()));
+            }
+        }
+    } else if let Some(refusal) = folder.refusal(number) {
+        refused = Some(refusal.because);
+    }
+    let mut ended = 0;
+    for id in &task.studies {
+        let study = study_rows::find(head.connection(), id).await;
+        let study = study.map_err(Failure::other)?;
+        ended += usize::from(study.is_some_and(|study| study.ended()));
+    }
+    Ok(Gathered {
+        task: number,
+        ended,
+        designs: task.studies.len(),
+        taken,
+        refused,
+    })
+}
+
+/// Rows that were taken of a file, or the reason why it is refused.
+async fn merged(
+    head: &mut Merging,
+    file: &std::path::Path,
+    task: &Task,
+    solver: &Arc<dyn Solver>,
+) -> Result<Result<Merged, String>, StoreError> {
+    let bar = counting_bar(0, "rows");
+    let seen = |done, of| count(&bar, done, of);
+    let whole = head.read(file, &seen).await;
+    bar.finish_and_clear();
+    let whole = match whole {
+        Ok(whole) => whole,
+        Err(
+            error @ (StoreError::Open { .. } | StoreError::Merge { .. } | StoreError::InUse { .. }),
+        ) => return Ok(Err(error.to_string())),
+        Err(error) => return Err(error),
+    };
+    if let Some(because) = doubt(head, &whole, task, solver).await? {
+        return Ok(Err(because));
+    }
+    match head.take(&whole, Taken::Everything).await {
+        Ok(merged) => Ok(Ok(merged)),
+        Err(error @ StoreError::Merge { .. }) => Ok(Err(error.to_string())),
+        Err(error) => Err(error),
+    }
+}
+
+/// Reason to doubt a file's points: the first one of a design, solved again here, has other bits.
+async fn doubt(
+    head: &mut Merging,
+    whole: &WholeFile,
+    task: &Task,
+    solver: &Arc<dyn Solver>,
+) -> Result<Option<String>, StoreError> {
+    let mut theirs = whole.open().await?;
+    let doubt = compared(head.connection(), &mut theirs, task, solver).await;
+    theirs.close().await?;
+    doubt
+}
+
+async fn compared(
+    head: &mut SqliteConnection,
+    theirs: &mut SqliteConnection,
+    task: &Task,
+    solver: &Arc<dyn Solver>,
+) -> Result<Option<String>, StoreError> {
+    for id in &task.studies {
+        let Some(study) = study_rows::find(head, id).await? else {
+            return Ok(Some(format!(
+                "its study {id} isn't known here: gather into the database that the tasks were made from"
+            )));
+        };
+        if study.state() == State::Done {
+            continue;
+        }
+        let (solver, row) = (solver.clone(), study);
+        let first = tokio::task::spawn_blocking({
+            let solver = solver.clone();
+            move || FirstPoint::of(&stored_plan(&row).ok()?, solver.as_ref())
+        });
+        let Some(first) = first.await.ok().flatten() else {
+            continue;
+        };
+        let keys = [first.key.clone()];
+        let known = evaluations::find(head, &keys).await?.pop().flatten();
+        let found = evaluations::find(theirs, &keys).await?.pop().flatten();
+        let (None, Some(Ok(response))) = (known, found.map(|found| found.outcome)) else {
+            continue;
+        };
+        let again = tokio::task::spawn_blocking(move || solved(solver.as_ref(), &first));
+        return Ok(match again.await.ok().flatten() {
+            Some(own) if own == response => None,
+            _ => Some(format!(
+                "the first point of its study {id} has other bits than where it is solved here: none of its points is taken"
+            )),
+        });
+    }
+    Ok(None)
+}
+
+/// Response of a point, solved here; `None` where there is none.
+fn solved(solver: &dyn Solver, point: &FirstPoint) -> Option<Response> {
+    let request = SolveRequest {
+        scene: &point.scene,
+        readout: &point.readout,
+        start: None,
+        watch: &AtomicBool::new(false),
+    };
+    solver.solve(&request).ok().map(|solved| solved.response)
+}
+
+impl Gathered {
+    fn line(&self) -> String {
+        let said = match (&self.refused, &self.taken) {
+            (Some(because), _) => painted(BAD, because),
+            (None, Some(_)) => painted(GOOD, "taken"),
+            (None, None) => "not handed in".to_owned(),
+        };
+        format!(
+            "task {}: {} of {} designs, {said}\n",
+            self.task, self.ended, self.designs
+        )
+    }
+}

@@ -1,0 +1,165 @@
+//! Folder of a sweep's tasks, which all machines see:
+//!
+//! - `strainsite`: the program, so that nodes run the head's
+//! - `tasks.json`: what the tasks are
+//! - `asked/N.db`: the designs of a task, in the queue
+//! - `done/N.db`: what came of it; `done/N.refused.json`: why a node handed in nothing; `done/N.refused.db`: what the head refused
+
+use std::fs::{self, DirBuilder};
+use std::os::unix::fs::DirBuilderExt;
+use std::path::{Path, PathBuf};
+
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+
+use crate::cli::terminal::exit::Failure;
+
+/// Tasks of a sweep.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) struct Tasks {
+    /// Version of the head's solver, with the fingerprint of its numerics.
+    pub version: String,
+    /// Identifier of the sweep.
+    pub sweep: String,
+    /// The tasks, of which the first has number 1.
+    pub tasks: Vec<Task>,
+}
+
+/// Designs that one machine solves.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) struct Task {
+    /// Identifiers of their studies.
+    pub studies: Vec<String>,
+    /// Time that they are expected to take on the head's threads, s.
+    pub expected_s: Option<f64>,
+}
+
+/// Reason why a node handed in nothing.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) struct Refusal {
+    /// Name of the node.
+    pub node: String,
+    /// A sentence.
+    pub because: String,
+}
+
+/// The folder.
+#[derive(Debug, Clone)]
+pub(super) struct TaskFolder {
+    path: PathBuf,
+}
+
+impl TaskFolder {
+    /// A new folder, which nobody else may look into.
+    pub fn new(path: &Path) -> Result<Self, Failure> {
+        let failed = |error: std::io::Error| {
+            Failure::input(format!("{} can't be made: {error}", path.display()))
+        };
+        DirBuilder::new().mode(0o700).create(path).map_err(failed)?;
+        let path = path.canonicalize().map_err(failed)?;
+        for part in ["asked", "done"] {
+            fs::create_dir(path.join(part)).map_err(failed)?;
+        }
+        Ok(Self { path })
+    }
+
+    /// The folder of this name, with its tasks.
+    pub fn open(path: &Path) -> Result<(Self, Tasks), Failure> {
+        let found = path.canonicalize().map_err(|error| {
+            Failure::input(format!("{} can't be read: {error}", path.display()))
+        })?;
+        let folder = Self { path: found };
+        let tasks = read(&folder.tasks())?;
+        Ok((folder, tasks))
+    }
+
+    /// Copies this program into the folder, and returns its path there.
+    pub(super) fn with_program(&self) -> Result<PathBuf, Failure> {
+        let program = self.path.join("strainsite");
+        let own = std::env::current_exe().map_err(Failure::other)?;
+        fs::copy(&own, &program).map_err(|error| unwritten(&program, &error))?;
+        Ok(program)
+    }
+
+    /// Writes what the tasks are, when all else is there.
+    pub fn write(&self, tasks: &Tasks) -> Result<(), Failure> {
+        write(&self.tasks(), tasks)
+    }
+
+    /// Returns the path of the folder.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    fn tasks(&self) -> PathBuf {
+        self.path.join("tasks.json")
+    }
+
+    /// The designs of a task.
+    pub fn asked(&self, number: usize) -> PathBuf {
+        self.path.join(format!("asked/{number}.db"))
+    }
+
+    /// Place of what comes of a task.
+    pub fn done(&self, number: usize) -> PathBuf {
+        self.path.join(format!("done/{number}.db"))
+    }
+
+    /// Puts what a task handed in aside, so that it begins anew when it is given once more; returns where it is kept.
+    pub(super) fn set_aside(&self, number: usize) -> Result<PathBuf, Failure> {
+        let aside = self.path.join(format!("done/{number}.refused.db"));
+        let moved = fs::rename(self.done(number), &aside);
+        moved.map_err(|error| unwritten(&aside, &error))?;
+        Ok(aside)
+    }
+
+    /// Says why a task wasn't done.
+    pub fn refuse(&self, number: usize, refusal: &Refusal) -> Result<(), Failure> {
+        write(&self.refused(number), refusal)
+    }
+
+    /// Takes that back, when the task was done after all.
+    pub(super) fn accept(&self, number: usize) {
+        // Most tasks were never refused.
+        let _ = fs::remove_file(self.refused(number));
+    }
+
+    /// Reason why a task wasn't done, where a node said so.
+    pub fn refusal(&self, number: usize) -> Option<Refusal> {
+        let path = self.refused(number);
+        path.exists().then(|| read(&path).ok()).flatten()
+    }
+
+    fn refused(&self, number: usize) -> PathBuf {
+        self.path.join(format!("done/{number}.refused.json"))
+    }
+}
+
+/// Largest file that is read as text, bytes: tasks of a hundred thousand designs take 4 MB.
+const MOST_BYTES: u64 = 64_000_000;
+
+fn read<T: DeserializeOwned>(path: &Path) -> Result<T, Failure> {
+    let failed =
+        |cause: String| Failure::input(format!("{} can't be read: {cause}", path.display()));
+    let bytes = fs::metadata(path)
+        .map_err(|error| failed(error.to_string()))?
+        .len();
+    if bytes > MOST_BYTES {
+        return Err(failed(format!("it has {bytes} bytes")));
+    }
+    let text = fs::read_to_string(path).map_err(|error| failed(error.to_string()))?;
+    serde_json::from_str(&text).map_err(|error| failed(error.to_string()))
+}
+
+/// Writes a document that is whole at every moment.
+fn write<T: Serialize>(path: &Path, document: &T) -> Result<(), Failure> {
+    let failed = |error: std::io::Error| unwritten(path, &error);
+    let text = serde_json::to_string_pretty(document).map_err(Failure::other)?;
+    let part = path.with_extension(format!("{}.unfinished", std::process::id()));
+    fs::write(&part, text + "\n").map_err(failed)?;
+    fs::rename(&part, path).map_err(failed)
+}
+
+fn unwritten(path: &Path, error: &std::io::Error) -> Failure {
+    Failure::Other(format!("{} can't be written: {error}", path.display()))
+}

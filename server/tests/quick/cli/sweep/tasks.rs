@@ -1,0 +1,178 @@
+//! Designs of a sweep that are solved as tasks, by any machine.
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+use super::draft;
+use crate::cli::db::merging::poison;
+use crate::program::service::sql;
+use crate::program::{command, strainsite, text, wait_for_points};
+
+/// Walls of three designs, each a task of its own.
+const GRID: [&str; 2] = ["--grid", "geometry.wall_mm=2.6,3,3.4"];
+
+fn made(folder: &Path) {
+    let make = [
+        "tasks",
+        "make",
+        draft(folder),
+        "--dir",
+        "tasks",
+        "--minutes",
+        "0.01",
+    ];
+    let output = strainsite(folder, &[&make[..], &GRID].concat());
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let said = text(&output.stdout);
+    assert!(said.contains("3 tasks of 3 designs"), "{said}");
+}
+
+fn gathered(output: &Output, code: i32) -> Value {
+    assert_eq!(output.status.code(), Some(code), "{}", text(&output.stderr));
+    serde_json::from_slice(&output.stdout).expect("one JSON document")
+}
+
+/// Hashes of what the results of a database say, by design.
+async fn contents(database: &Path) -> Vec<String> {
+    let query = "select content_sha256 from results join studies on id = study order by name";
+    let found = sqlx::query_scalar(query)
+        .fetch_all(&mut sql(database).await)
+        .await;
+    found.expect("results")
+}
+
+#[tokio::test]
+async fn what_tasks_hand_in_is_what_a_sweep_solves_and_what_is_poisoned_is_refused() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let run = |arguments: &[&str]| strainsite(folder.path(), arguments);
+    made(folder.path());
+    assert_eq!(run(&["tasks", "run", "tasks", "4"]).status.code(), Some(2));
+    for number in ["1", "2"] {
+        // The program that lies in the folder, as nodes run it.
+        let mut node = Command::new(folder.path().join("tasks/strainsite"));
+        let node = node
+            .current_dir(folder.path())
+            .args(["tasks", "run", "tasks", number]);
+        let output = node.output().expect("the program runs");
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    }
+    poison(&folder.path().join("tasks/done/2.db")).await;
+    let some = gathered(&run(&["tasks", "gather", "tasks", "--json", "-"]), 3);
+    assert_eq!(some[0]["taken"]["ended"], 1, "{some}");
+    let because = some[1]["refused"].as_str().expect("a reason");
+    assert!(
+        because.contains("other bits") && because.contains("2.refused.db"),
+        "{because}"
+    );
+    assert_eq!(some[2]["ended"], 0, "{some}");
+
+    for number in ["2", "3"] {
+        let again = run(&["tasks", "run", "tasks", number, "--threads", "1"]);
+        assert_eq!(again.status.code(), Some(0), "{}", text(&again.stderr));
+    }
+    for ended in [1, 0] {
+        let all = gathered(&run(&["tasks", "gather", "tasks", "--json", "-"]), 0);
+        assert_eq!(all[2]["taken"]["ended"], ended, "{all}");
+    }
+    assert_eq!(run(&["db", "check"]).status.code(), Some(0));
+    let left = run(&["tasks", "make", "--resume", "latest", "--dir", "none"]);
+    assert!(
+        text(&left.stdout).contains("nothing is left"),
+        "{}",
+        text(&left.stderr)
+    );
+    let local = run(&[
+        &["sweep", draft(folder.path()), "--db", "local.db"],
+        &GRID[..],
+    ]
+    .concat());
+    assert_eq!(local.status.code(), Some(0), "{}", text(&local.stderr));
+    let [ours, theirs] = ["strainsite.db", "local.db"].map(|name| folder.path().join(name));
+    assert_eq!(contents(&ours).await, contents(&theirs).await);
+}
+
+#[tokio::test]
+async fn a_task_that_is_stopped_hands_in_what_it_has_and_goes_on_from_there() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let run = |arguments: &[&str]| strainsite(folder.path(), arguments);
+    let study = draft(folder.path());
+    let make = ["tasks", "make", study, "--dir", "tasks"];
+    let output = run(&[&make[..], &GRID].concat());
+    assert!(
+        text(&output.stdout).contains("1 task of 3 designs"),
+        "{}",
+        text(&output.stderr)
+    );
+    let disk = folder.path().join("disk");
+    std::fs::create_dir(&disk).expect("makes");
+    let mut node = command(
+        folder.path(),
+        &["tasks", "run", "tasks", "1", "--threads", "1"],
+    );
+    let mut node = node.env("TMPDIR", &disk).spawn().expect("the program runs");
+    // It works on its own disk.
+    let own = loop {
+        let entry = std::fs::read_dir(&disk).expect("reads").next();
+        let own = entry.map(|entry| entry.expect("an entry").path().join("task.db"));
+        match own.filter(|own| own.exists()) {
+            Some(own) => break own,
+            None => tokio::time::sleep(std::time::Duration::from_millis(5)).await,
+        }
+    };
+    wait_for_points(&own, 5).await;
+    let process = node.id().to_string();
+    let stopped = Command::new("kill").args(["-TERM", &process]).status();
+    assert!(stopped.expect("kill runs").success());
+    assert_eq!(node.wait().expect("ends").code(), Some(3));
+    assert_eq!(std::fs::read_dir(&disk).expect("reads").count(), 0);
+
+    let some = gathered(&run(&["tasks", "gather", "tasks", "--json", "-"]), 3);
+    assert!(
+        some[0]["taken"]["points"]["new"].as_u64() >= Some(5),
+        "{some}"
+    );
+    let again = run(&["tasks", "run", "tasks", "1"]);
+    assert_eq!(again.status.code(), Some(0), "{}", text(&again.stderr));
+    let all = gathered(&run(&["tasks", "gather", "tasks", "--json", "-"]), 0);
+    assert_eq!(
+        all[0]["taken"]["points"]["known"],
+        some[0]["taken"]["points"]["new"]
+    );
+    assert_eq!(run(&["db", "check"]).status.code(), Some(0));
+}
+
+#[test]
+fn a_node_that_computes_otherwise_hands_in_nothing_and_is_named() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let run = |arguments: &[&str]| strainsite(folder.path(), arguments);
+    made(folder.path());
+    // As a task of another version would have been made.
+    let tasks = folder.path().join("tasks/tasks.json");
+    let text_of = std::fs::read_to_string(&tasks).expect("reads");
+    let other = text_of.replace("strainsite-fem 0.", "strainsite-fem 9.");
+    assert_ne!(other, text_of);
+    std::fs::write(&tasks, other).expect("writes");
+    let node = command(folder.path(), &["tasks", "run", "tasks", "1"])
+        .env("SLURMD_NODENAME", "node-of-another-kind")
+        .output();
+    let node = node.expect("the program runs");
+    assert_eq!(node.status.code(), Some(1));
+    assert!(
+        text(&node.stderr).contains("--constraint"),
+        "{}",
+        text(&node.stderr)
+    );
+    let none = gathered(&run(&["tasks", "gather", "tasks", "--json", "-"]), 3);
+    let because = none[0]["refused"].as_str().expect("a reason");
+    assert!(because.contains("node-of-another-kind"), "{because}");
+    // It comes in once a node of the right kind has done it.
+    std::fs::write(&tasks, text_of).expect("writes");
+    assert_eq!(run(&["tasks", "run", "tasks", "1"]).status.code(), Some(0));
+    let some = gathered(&run(&["tasks", "gather", "tasks", "--json", "-"]), 3);
+    assert!(
+        some[0].get("refused").is_none() && some[0]["ended"] == 1,
+        "{some}"
+    );
+}
