@@ -6,6 +6,7 @@
 //! - `telemetry`: the log
 //! - [`token`]: the secret that lets a client in
 //! - [`http`]: routes and dashboard
+//! - `umbridge`: a study as a model for other programs
 //! - [`running`]: database, queue and HTTP together
 //! - [`cli`]: the command line
 
@@ -15,3 +16,4 @@ pub mod http;
 pub mod running;
 pub(crate) mod telemetry;
 pub mod token;
+pub(crate) mod umbridge;

@@ -5,6 +5,7 @@ use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser, Subcommand};
 
+use crate::cli::commands::solve::umbridge;
 use crate::cli::commands::sweep::tasks;
 use crate::cli::commands::{
     compare, db, documents, export, force, gsa, library, run, serve, shell, solve, sweep, trade,
@@ -40,6 +41,9 @@ enum Command {
     /// Solve one equilibrium of a scene
     #[command(after_help = help_examples::SOLVE)]
     Solve(solve::Solve),
+    /// Serve a study as a model that other programs evaluate, by UM-Bridge's protocol
+    #[command(after_help = help_examples::UMBRIDGE)]
+    Umbridge(umbridge::Umbridge),
     /// Analyse a model of your own: print the points to run, then read their outputs back
     #[command(after_help = help_examples::GSA)]
     Gsa(gsa::Gsa),
@@ -123,6 +127,7 @@ impl Command {
             Self::Serve(command) => command.execute(),
             Self::Run(command) => command.execute(),
             Self::Solve(command) => command.execute(),
+            Self::Umbridge(command) => command.execute(),
             Self::Gsa(command) => command.execute(),
             Self::Force(command) => command.execute(),
             Self::Trade(command) => command.execute(),
@@ -158,6 +163,7 @@ impl Command {
             Self::Show(command) => command.json.clone(),
             // The document of verify holds the failed cases already.
             Self::Serve(_)
+            | Self::Umbridge(_)
             | Self::Export(_)
             | Self::Db(_)
             | Self::Validate(_)
@@ -172,6 +178,7 @@ impl Command {
         match self {
             Self::Run(command) => command.files(),
             Self::Solve(command) => command.files(),
+            Self::Umbridge(command) => command.files(),
             Self::Gsa(command) => command.files(),
             Self::Force(command) => command.files(),
             Self::Trade(command) => command.files(),

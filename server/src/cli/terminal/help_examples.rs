@@ -79,6 +79,11 @@ pub(crate) const SWEEP: &str = "Examples:
   strainsite sweep --resume 019aa2b3
   strainsite sweep --resume 019aa2b3 --grid geometry.wall_mm=4 --json sweep.json";
 
+/// Examples of `umbridge`.
+pub(crate) const UMBRIDGE: &str = "Examples:
+  strainsite umbridge studies/foot-tire.toml
+  strainsite umbridge foot-tire --set accuracy.preset=coarse --addr 127.0.0.1:4243";
+
 /// Examples of `tasks make`.
 pub(crate) const TASKS_MAKE: &str = "Examples:
   strainsite tasks make studies/foot-tire.toml --grid geometry.wall_mm=2.5,3,3.5 --dir walls

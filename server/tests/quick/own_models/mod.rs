@@ -1,6 +1,7 @@
-//! A model of somebody else, asked and told: by `strainsite gsa` here, by `/v1/analyses` in `over_http`.
+//! A model of somebody else, asked and told: by `strainsite gsa` here, by `/v1/analyses` in `over_http`; and ours, asked by others: `umbridge`.
 
 mod over_http;
+mod umbridge;
 
 use std::f64::consts::PI;
 use std::path::Path;

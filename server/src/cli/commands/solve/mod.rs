@@ -1,8 +1,10 @@
 //! `strainsite solve`: one equilibrium of a scene.
 //!
 //! - `derivative_text`: its derivatives as text
+//! - [`umbridge`]: equilibria that other programs ask for
 
 mod derivative_text;
+pub mod umbridge;
 
 use std::fmt::Write;
 use std::path::PathBuf;
