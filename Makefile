@@ -80,6 +80,7 @@ RIGS := $(filter-out random_scenes figure,$(basename $(notdir $(wildcard lab/exa
 prove: setup-rust setup-python build-tested audit test-clients
 	STRAINSITE_KILLS=200 $(CARGO) test $(ALL) --test slow kill
 	$(CARGO) test $(ALL) --test slow five_depth_study -- --ignored
+	$(CARGO) test $(ALL) --test quick ground_profiles -- --ignored
 	STRAINSITE_CONFORMANCE_S=600 tests/conformance/run
 	$(CARGO) build $(ALL) --examples
 	$(TARGET)/ci/examples/random_scenes 10000 1

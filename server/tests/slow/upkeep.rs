@@ -1,4 +1,4 @@
-//! SIGKILL at any moment of a backup, a restore and a vacuum: the database is whole, and the command can be given again.
+//! SIGKILL at any moment of a backup, a restore, a vacuum, a prune and a merge: the database is whole, and the command can be given again.
 
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -10,7 +10,7 @@ use sqlx::{Connection, SqliteConnection};
 
 use crate::kill::kills;
 use crate::program::service::integrity;
-use crate::program::{command, strainsite, text};
+use crate::program::{command, stored_points, strainsite, text};
 
 /// Kills of each command, where `STRAINSITE_KILLS` doesn't ask for more.
 const KILLS: u32 = 10;
@@ -228,6 +228,41 @@ async fn a_killed_prune_leaves_whole_studies() {
         runs(folder, &prune);
         assert_eq!(events(&work).await, EVENTS, "kill {kill}");
         runs(folder, &["db", "check", "--db", "work.db"]);
+    });
+    assert!(unfinished.await > KILLS / 5);
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_killed_merge_takes_all_of_a_file_or_nothing() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let folder = folder.path();
+    database(&folder.join("base.db"), OTHERS).await;
+    let draft = [
+        "run",
+        "foot-tire",
+        "--set",
+        "accuracy.preset=draft",
+        "--db",
+        "other.db",
+    ];
+    runs(folder, &draft);
+    let theirs = stored_points(&folder.join("other.db")).await;
+    assert!(theirs > 0);
+    let merge = ["db", "merge", "other.db", "--db", "work.db"];
+    let work = folder.join("work.db");
+    let unfinished = killed(folder, &merge, async |kill| {
+        events(&work).await;
+        let found = stored_points(&work).await;
+        assert!([0, theirs].contains(&found), "kill {kill}: {found}");
+        runs(folder, &merge);
+        assert_eq!(stored_points(&work).await, theirs, "kill {kill}");
+        runs(folder, &["db", "check", "--db", "work.db"]);
+        let names = std::fs::read_dir(folder).expect("lists");
+        let left = names.filter(|name| {
+            let name = name.as_ref().expect("reads").file_name();
+            name.to_string_lossy().contains("merging")
+        });
+        assert_eq!(left.count(), 0, "kill {kill}");
     });
     assert!(unfinished.await > KILLS / 5);
 }

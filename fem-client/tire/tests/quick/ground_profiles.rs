@@ -160,11 +160,23 @@ fn extremes_have_an_equilibrium() {
         }
         assert!(last > 0.0);
     }
-    for (rms, correlation, depth) in [(0.3, 1.5, 0.0), (0.1, 1.5, 1.0), (1.2, 5.0, 2.0)] {
-        let mut scene = rough(rms, correlation, 5);
-        scene.model.level = Level::Draft;
-        scene.ground = scene.ground.at_depths(vec![depth; 5]);
-        let load = solve(&scene).reaction_n;
-        assert!(load >= 0.0 && load.is_finite(), "{rms} {depth} {load}");
+    for (rms, correlation, depth) in [(0.3, 1.5, 0.0), (0.1, 1.5, 1.0), (1.2, 5.0, 1.0)] {
+        bears(rms, correlation, depth);
     }
+}
+
+/// Deeper it takes half a minute: `make prove` runs this.
+#[test]
+#[ignore = "takes half a minute"]
+fn high_crests_that_are_pressed_in_far_have_one_too() {
+    bears(1.2, 5.0, 2.0);
+}
+
+/// Rough ground on the draft mesh, pressed in so far, has an equilibrium.
+fn bears(rms: f64, correlation: f64, depth: f64) {
+    let mut scene = rough(rms, correlation, 5);
+    scene.model.level = Level::Draft;
+    scene.ground = scene.ground.at_depths(vec![depth; 5]);
+    let load = solve(&scene).reaction_n;
+    assert!(load >= 0.0 && load.is_finite(), "{rms} {depth} {load}");
 }
