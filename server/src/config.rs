@@ -3,10 +3,15 @@
 use std::net::{IpAddr, Ipv4Addr, SocketAddr};
 use std::num::{NonZeroU32, NonZeroUsize};
 use std::path::PathBuf;
+use std::sync::Arc;
 use std::time::Duration;
 
 use clap::Args;
+use fem_client::solver::Solver;
 use placement::points::machine_memory::machine_memory_bytes;
+use service::engine::Engine;
+use service::metrics::Metrics;
+use service::work::memory_share::MemoryShare;
 use store::{Store, StoreError};
 
 /// Shares of the machine that solves may take.
@@ -33,6 +38,18 @@ impl Work {
     pub fn memory_bytes(&self) -> u64 {
         self.max_memory_mb
             .map_or_else(machine_memory_bytes, |mb| u64::from(mb.get()) * 1_000_000)
+    }
+
+    /// An engine on a database that takes these shares.
+    pub(crate) fn engine(&self, solver: Arc<dyn Solver>, store: Store) -> Engine {
+        Engine {
+            store: Arc::new(store),
+            solver,
+            threads: self.threads(),
+            metrics: Metrics::new(),
+            live: Arc::default(),
+            memory: Arc::new(MemoryShare::new(self.memory_bytes())),
+        }
     }
 }
 

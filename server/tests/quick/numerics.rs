@@ -7,7 +7,7 @@ use serde_json::Value;
 use crate::program::{command, text};
 
 /// Has the C library compute elementary functions as on a processor without these instructions.
-const OTHER: &str = "glibc.cpu.hwcaps=-FMA,-AVX2,-AVX,-FMA4";
+pub(crate) const OTHER: &str = "glibc.cpu.hwcaps=-FMA,-AVX2,-AVX,-FMA4";
 
 /// The shipped study on the draft mesh, without layouts, whose loads are solved as all points are, with these tunables of the C library.
 fn result(folder: &Path, database: &str, tunables: &str) -> Value {
@@ -31,7 +31,7 @@ fn result(folder: &Path, database: &str, tunables: &str) -> Value {
     serde_json::from_slice(&run.stdout).expect("JSON")
 }
 
-fn has_the_instructions() -> bool {
+pub(crate) fn has_the_instructions() -> bool {
     let processor = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     processor.contains(" avx2 ") && processor.contains(" fma ")
 }

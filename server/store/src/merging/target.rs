@@ -14,6 +14,7 @@ use crate::file::lock::DatabaseLock;
 use crate::file::place::Place;
 use crate::file::unfinished::Unfinished;
 use crate::file::{opening, upkeep};
+use crate::points::evaluations;
 use crate::store_error::StoreError;
 
 /// Settings for taking in much at once: with a rollback journal new pages are written once, where the log and its checkpoint write them twice; 64 MB of them in memory are
@@ -92,6 +93,22 @@ impl Merging {
             named: file.to_owned(),
             copy,
         })
+    }
+
+    /// Studies of a file, and how many of its points aren't known here.
+    ///
+    /// # Errors
+    /// When one of both can't be read.
+    pub async fn foreseen(&mut self, file: &WholeFile) -> Result<(Vec<String>, usize), StoreError> {
+        let mut theirs = file.open().await?;
+        let studies = sqlx::query_scalar("select id from studies");
+        let studies = studies.fetch_all(&mut theirs).await?;
+        let keys = sqlx::query_scalar("select key from evaluations");
+        let keys: Vec<String> = keys.fetch_all(&mut theirs).await?;
+        theirs.close().await?;
+        let asked: Vec<&str> = keys.iter().map(String::as_str).collect();
+        let known = evaluations::known(&mut self.connection, &asked).await?;
+        Ok((studies, keys.len() - known.len()))
     }
 
     /// Takes in what a file has.

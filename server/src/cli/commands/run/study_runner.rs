@@ -17,9 +17,7 @@ use crate::cli::terminal::signals::stop_flag;
 use crate::config::Config;
 use service::engine::{End, Engine};
 use service::forecast::admit;
-use service::metrics::Metrics;
 use service::queue::{enqueue, recover};
-use service::work::memory_share::MemoryShare;
 use store::queue::study_rows::{self, StudyRow};
 use store::queue::turns;
 use store::{Store, StoreError};
@@ -53,14 +51,7 @@ impl<'c> StudyRunner<'c> {
         Ok(Self {
             config,
             runtime,
-            engine: Engine {
-                store: Arc::new(store),
-                solver,
-                threads,
-                metrics: Metrics::new(),
-                live: Arc::default(),
-                memory: Arc::new(MemoryShare::new(memory_bytes)),
-            },
+            engine: config.work.engine(solver, store),
             stop,
         })
     }

@@ -4,8 +4,6 @@ mod asked;
 mod designs;
 pub mod tasks;
 
-use std::sync::Arc;
-
 use clap::Args;
 use documents::sweep::Sweep as Plan;
 use placement::compare::{Comparison, compare};
@@ -27,11 +25,9 @@ use crate::config::Config;
 use service::comparison::of_designs;
 use service::engine::Engine;
 use service::forecast::forecast_sweep;
-use service::metrics::Metrics;
 use service::queue::recover;
 use service::queue::sweeps::designs_of;
 use service::wire::sweep_wire::SweepDetail;
-use service::work::memory_share::MemoryShare;
 
 /// Run one study over a grid of designs, and compare them
 #[derive(Debug, Args)]
@@ -65,18 +61,12 @@ impl Sweep {
         if let (true, Some(plan)) = (self.dry_run, &plan) {
             return self.estimate(&runtime, plan);
         }
-        let engine = Engine {
-            solver: self.solver.solver().map_err(Failure::other)?,
-            store: Arc::new(
-                runtime
-                    .block_on(self.config.open())
-                    .map_err(Failure::other)?,
-            ),
-            threads: self.config.threads(),
-            metrics: Metrics::new(),
-            live: Arc::default(),
-            memory: Arc::new(MemoryShare::new(self.config.memory_bytes())),
-        };
+        let solver = self.solver.solver().map_err(Failure::other)?;
+        let opened = runtime.block_on(self.config.open());
+        let engine = self
+            .config
+            .work
+            .engine(solver, opened.map_err(Failure::other)?);
         let ended = self.run(&runtime, &engine, plan.as_ref());
         let closed = runtime.block_on(engine.store.close());
         let (detail, comparison) = ended?;

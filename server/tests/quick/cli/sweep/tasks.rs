@@ -7,6 +7,7 @@ use serde_json::Value;
 
 use super::draft;
 use crate::cli::db::merging::poison;
+use crate::numerics::{OTHER, has_the_instructions};
 use crate::program::service::sql;
 use crate::program::{command, strainsite, text, wait_for_points};
 
@@ -58,7 +59,10 @@ async fn what_tasks_hand_in_is_what_a_sweep_solves_and_what_is_poisoned_is_refus
         let output = node.output().expect("the program runs");
         assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     }
-    poison(&folder.path().join("tasks/done/2.db")).await;
+    // What one task handed in is none of another's.
+    let done = |number: u32| folder.path().join(format!("tasks/done/{number}.db"));
+    std::fs::copy(done(1), done(3)).expect("copies");
+    poison(&done(2)).await;
     let some = gathered(&run(&["tasks", "gather", "tasks", "--json", "-"]), 3);
     assert_eq!(some[0]["taken"]["ended"], 1, "{some}");
     let because = some[1]["refused"].as_str().expect("a reason");
@@ -66,6 +70,8 @@ async fn what_tasks_hand_in_is_what_a_sweep_solves_and_what_is_poisoned_is_refus
         because.contains("other bits") && because.contains("2.refused.db"),
         "{because}"
     );
+    let because = some[2]["refused"].as_str().expect("a reason");
+    assert!(because.contains("of another task"), "{because}");
     assert_eq!(some[2]["ended"], 0, "{some}");
 
     for number in ["2", "3"] {
@@ -167,8 +173,17 @@ fn a_node_that_computes_otherwise_hands_in_nothing_and_is_named() {
     let none = gathered(&run(&["tasks", "gather", "tasks", "--json", "-"]), 3);
     let because = none[0]["refused"].as_str().expect("a reason");
     assert!(because.contains("node-of-another-kind"), "{because}");
-    // It comes in once a node of the right kind has done it.
     std::fs::write(&tasks, text_of).expect("writes");
+    if has_the_instructions() {
+        let node = command(folder.path(), &["tasks", "run", "tasks", "2"])
+            .env("GLIBC_TUNABLES", OTHER)
+            .output();
+        let node = node.expect("the program runs");
+        let said = text(&node.stderr);
+        assert_eq!(node.status.code(), Some(1), "{said}");
+        assert!(said.contains("--constraint"), "{said}");
+    }
+    // It comes in once a node of the right kind has done it.
     assert_eq!(run(&["tasks", "run", "tasks", "1"]).status.code(), Some(0));
     let some = gathered(&run(&["tasks", "gather", "tasks", "--json", "-"]), 3);
     assert!(

@@ -169,17 +169,39 @@ async fn merged(
     }
 }
 
-/// Reason to doubt a file's points: the first one of a design, solved again here, has other bits.
+/// Reason to doubt what a file has: designs of another task, or the first point of a design has other bits where it is solved again here. A first point that is known here is compared when
+/// the file is taken.
 async fn doubt(
     head: &mut Merging,
     whole: &WholeFile,
     task: &Task,
     solver: &Arc<dyn Solver>,
 ) -> Result<Option<String>, StoreError> {
+    let (studies, new_points) = head.foreseen(whole).await?;
+    if let Some(other) = studies.iter().find(|id| !task.studies.contains(id)) {
+        return Ok(Some(format!("it has the study {other} of another task")));
+    }
     let mut theirs = whole.open().await?;
-    let doubt = compared(head.connection(), &mut theirs, task, solver).await;
+    let compared = compared(head.connection(), &mut theirs, task, solver).await;
     theirs.close().await?;
-    doubt
+    Ok(match compared? {
+        Compared::Alike => None,
+        Compared::Otherwise(because) => Some(because),
+        Compared::Nothing if new_points == 0 => None,
+        Compared::Nothing => {
+            Some("it has points, and none of them is the first of a design".to_owned())
+        }
+    })
+}
+
+/// Outcome of a comparison of a file's points with what is solved here.
+enum Compared {
+    /// First point of a design is the same here.
+    Alike,
+    /// First point of a design is another one here, a sentence.
+    Otherwise(String),
+    /// No first point of a design is in the file.
+    Nothing,
 }
 
 async fn compared(
@@ -187,39 +209,49 @@ async fn compared(
     theirs: &mut SqliteConnection,
     task: &Task,
     solver: &Arc<dyn Solver>,
-) -> Result<Option<String>, StoreError> {
+) -> Result<Compared, StoreError> {
+    let mut found_any = Compared::Nothing;
     for id in &task.studies {
         let Some(study) = study_rows::find(head, id).await? else {
-            return Ok(Some(format!(
+            return Ok(Compared::Otherwise(format!(
                 "its study {id} isn't known here: gather into the database that the tasks were made from"
             )));
         };
         if study.state() == State::Done {
             continue;
         }
-        let (solver, row) = (solver.clone(), study);
-        let first = tokio::task::spawn_blocking({
-            let solver = solver.clone();
-            move || FirstPoint::of(&stored_plan(&row).ok()?, solver.as_ref())
+        let planning = solver.clone();
+        let first = tokio::task::spawn_blocking(move || {
+            FirstPoint::of(&stored_plan(&study).ok()?, planning.as_ref())
         });
         let Some(first) = first.await.ok().flatten() else {
             continue;
         };
         let keys = [first.key.clone()];
-        let known = evaluations::find(head, &keys).await?.pop().flatten();
         let found = evaluations::find(theirs, &keys).await?.pop().flatten();
-        let (None, Some(Ok(response))) = (known, found.map(|found| found.outcome)) else {
+        let Some(found) = found else {
             continue;
         };
-        let again = tokio::task::spawn_blocking(move || solved(solver.as_ref(), &first));
-        return Ok(match again.await.ok().flatten() {
-            Some(own) if own == response => None,
-            _ => Some(format!(
+        found_any = Compared::Alike;
+        if evaluations::find(head, &keys)
+            .await?
+            .pop()
+            .flatten()
+            .is_some()
+        {
+            continue;
+        }
+        let solving = solver.clone();
+        let again = tokio::task::spawn_blocking(move || solved(solving.as_ref(), &first));
+        let is_alike = again.await.is_ok_and(|own| own == found.outcome.ok());
+        return Ok(match is_alike {
+            true => Compared::Alike,
+            false => Compared::Otherwise(format!(
                 "the first point of its study {id} has other bits than where it is solved here: none of its points is taken"
             )),
         });
     }
-    Ok(None)
+    Ok(found_any)
 }
 
 /// Response of a point, solved here; `None` where there is none.

@@ -2,7 +2,6 @@
 
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 use clap::Args;
 use placement::estimate::Workload;
@@ -20,10 +19,8 @@ use crate::cli::terminal::report::next_steps::shell_word;
 use crate::config::{Config, minutes};
 use service::engine::Engine;
 use service::forecast::forecast_designs;
-use service::metrics::Metrics;
 use service::queue::recover;
 use service::queue::sweeps::designs_of;
-use service::work::memory_share::MemoryShare;
 use store::StoreError;
 use store::merging::target::Merging;
 
@@ -78,15 +75,12 @@ impl Make {
                 self.dir.display()
             )));
         }
+        let solver = self.solver.solver().map_err(Failure::other)?;
         let opened = runtime.block_on(self.config.open());
-        let engine = Engine {
-            solver: self.solver.solver().map_err(Failure::other)?,
-            store: Arc::new(opened.map_err(Failure::other)?),
-            threads: self.config.threads(),
-            metrics: Metrics::new(),
-            live: Arc::default(),
-            memory: Arc::new(MemoryShare::new(self.config.memory_bytes())),
-        };
+        let engine = self
+            .config
+            .work
+            .engine(solver, opened.map_err(Failure::other)?);
         let recovered = runtime.block_on(recover(&engine.store));
         recovered.map_err(Failure::other)?;
         let there = self.config.memory_bytes();

@@ -3,7 +3,6 @@
 //! It works in a database of its own on this machine's disk, and hands it in whole, under its name at once. Stopped, it hands in what it has, and begun again it goes on from there.
 
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 use clap::Args;
 use serde_json::Map;
@@ -17,10 +16,7 @@ use crate::cli::terminal::output::tell;
 use crate::cli::terminal::progress::progress_bar;
 use crate::cli::terminal::signals::stop_flag;
 use crate::config::Work;
-use service::engine::Engine;
-use service::metrics::Metrics;
 use service::queue::recover;
-use service::work::memory_share::MemoryShare;
 use store::file::copies;
 use store::queue::study_rows;
 use store::queue::sweep_rows::DesignRow;
@@ -103,14 +99,8 @@ impl Run {
         let store = runtime
             .block_on(Store::open(database))
             .map_err(Failure::other)?;
-        let engine = Engine {
-            solver: self.solver.solver().map_err(Failure::other)?,
-            store: Arc::new(store),
-            threads: self.work.threads(),
-            metrics: Metrics::new(),
-            live: Arc::default(),
-            memory: Arc::new(MemoryShare::new(self.work.memory_bytes())),
-        };
+        let solver = self.solver.solver().map_err(Failure::other)?;
+        let engine = self.work.engine(solver, store);
         let stop = stop_flag(runtime)?;
         let crew = Crew {
             runtime: runtime.handle(),
