@@ -78,9 +78,10 @@ impl ForwardModel {
             has_derivatives: false,
         };
         let (means, level) = (model.means(), model.study.level);
-        let plain = model.answer(&means, level, false)?;
-        model.locations = plain.values[0].len();
-        model.has_derivatives = model.answer(&means, level, true).is_ok();
+        let cut = model.answer(&means, level, true);
+        model.has_derivatives = cut.is_ok();
+        let cut = cut.or_else(|_| model.answer(&means, level, false))?;
+        model.locations = cut.values[0].len();
         Ok(model)
     }
 

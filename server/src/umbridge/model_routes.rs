@@ -4,10 +4,10 @@
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
 use std::sync::Arc;
+use std::time::Duration;
 
 use axum::Router;
-use axum::body::Bytes;
-use axum::extract::{DefaultBodyLimit, State};
+use axum::extract::{FromRequest, Request, State};
 use axum::http::StatusCode;
 use axum::response::{IntoResponse, Json, Response};
 use axum::routing::{get, post};
@@ -15,12 +15,32 @@ use fem_client::scene::Level;
 use serde_json::{Map, Value, json};
 use tokio::sync::Semaphore;
 
+use crate::http::edge::document_body::{self, BodyLimits};
+use crate::http::edge::problem_document::Problem;
 use crate::umbridge::forward_model::{Answer, ForwardModel, NoAnswer, OUTPUTS};
 
 /// Name of the model.
 const MODEL: &str = "forward";
-/// Largest request, bytes.
-const MOST_BYTES: usize = 1 << 20;
+/// Limits on a request.
+const REQUEST: BodyLimits = BodyLimits {
+    what: "a request has",
+    bytes: 1 << 20,
+    discarded: 16 << 20,
+    time: Duration::from_secs(30),
+};
+
+/// Text of a request.
+struct Sent(String);
+
+impl<S: Send + Sync> FromRequest<S> for Sent {
+    type Rejection = Problem;
+
+    async fn from_request(request: Request, _: &S) -> Result<Self, Problem> {
+        document_body::read(request, REQUEST, |_| Ok(()))
+            .await
+            .map(Self)
+    }
+}
 
 /// Model and slots that all requests share.
 #[derive(Clone)]
@@ -74,7 +94,6 @@ pub(crate) fn routes(model: Arc<ForwardModel>, threads: usize) -> Router {
         .route("/Gradient", post(gradient))
         .route("/ApplyJacobian", post(apply_jacobian))
         .route("/ApplyHessian", post(apply_hessian))
-        .layer(DefaultBodyLimit::max(MOST_BYTES))
         .with_state(shared)
 }
 
@@ -82,7 +101,10 @@ async fn info() -> Json<Value> {
     Json(json!({"protocolVersion": 1.0, "models": [MODEL]}))
 }
 
-async fn model_info(State(shared): State<Shared>, body: Bytes) -> Result<Json<Value>, Refusal> {
+async fn model_info(
+    State(shared): State<Shared>,
+    Sent(body): Sent,
+) -> Result<Json<Value>, Refusal> {
     read(&body)?;
     let has_derivatives = shared.model.has_derivatives();
     Ok(Json(json!({"support": {
@@ -90,34 +112,34 @@ async fn model_info(State(shared): State<Shared>, body: Bytes) -> Result<Json<Va
     }})))
 }
 
-async fn input_sizes(State(shared): State<Shared>, body: Bytes) -> Result<Json<Value>, Refusal> {
+async fn input_sizes(
+    State(shared): State<Shared>,
+    Sent(body): Sent,
+) -> Result<Json<Value>, Refusal> {
     let asked = read(&body)?;
     level(&asked, &shared.model)?;
     Ok(Json(json!({"inputSizes": [shared.model.inputs()]})))
 }
 
-async fn output_sizes(State(shared): State<Shared>, body: Bytes) -> Result<Json<Value>, Refusal> {
+async fn output_sizes(
+    State(shared): State<Shared>,
+    Sent(body): Sent,
+) -> Result<Json<Value>, Refusal> {
     let asked = read(&body)?;
     level(&asked, &shared.model)?;
     Ok(Json(json!({"outputSizes": shared.model.sizes()})))
 }
 
-async fn evaluate(State(shared): State<Shared>, body: Bytes) -> Result<Json<Value>, Refusal> {
+async fn evaluate(State(shared): State<Shared>, Sent(body): Sent) -> Result<Json<Value>, Refusal> {
     let asked = read(&body)?;
     let answer = answer(&shared, &asked, false).await?;
     Ok(Json(json!({"output": answer.values})))
 }
 
 /// Sensitivity of an output, weighted, to each input.
-async fn gradient(State(shared): State<Shared>, body: Bytes) -> Result<Json<Value>, Refusal> {
+async fn gradient(State(shared): State<Shared>, Sent(body): Sent) -> Result<Json<Value>, Refusal> {
     let asked = read(&body)?;
-    let output = wanted(&asked, &shared.model)?;
-    let size = shared
-        .model
-        .sizes()
-        .get(output)
-        .copied()
-        .unwrap_or_default();
+    let (output, size) = wanted(&asked, &shared.model)?;
     let weights = numbers(&asked, "sens", size)?;
     let answer = answer(&shared, &asked, true).await?;
     let by_input = answer
@@ -128,17 +150,14 @@ async fn gradient(State(shared): State<Shared>, body: Bytes) -> Result<Json<Valu
 }
 
 /// Change of an output with a change of the inputs.
-async fn apply_jacobian(State(shared): State<Shared>, body: Bytes) -> Result<Json<Value>, Refusal> {
+async fn apply_jacobian(
+    State(shared): State<Shared>,
+    Sent(body): Sent,
+) -> Result<Json<Value>, Refusal> {
     let asked = read(&body)?;
-    let output = wanted(&asked, &shared.model)?;
+    let (output, size) = wanted(&asked, &shared.model)?;
     let change = numbers(&asked, "vec", shared.model.inputs())?;
     let answer = answer(&shared, &asked, true).await?;
-    let size = shared
-        .model
-        .sizes()
-        .get(output)
-        .copied()
-        .unwrap_or_default();
     let mut sums = vec![0.0; size];
     for (of, change) in answer.derivatives.iter().zip(&change) {
         for (sum, derivative) in sums.iter_mut().zip(of.get(output).into_iter().flatten()) {
@@ -153,8 +172,8 @@ async fn apply_hessian() -> Refusal {
 }
 
 /// A request about this model.
-fn read(body: &Bytes) -> Result<Map<String, Value>, Refusal> {
-    let asked: Map<String, Value> = serde_json::from_slice(body)
+fn read(body: &str) -> Result<Map<String, Value>, Refusal> {
+    let asked: Map<String, Value> = serde_json::from_str(body)
         .map_err(|error| invalid(format!("the request isn't a JSON object: {error}")))?;
     match asked.get("name").and_then(Value::as_str) {
         Some(MODEL) => Ok(asked),
@@ -196,8 +215,8 @@ fn numbers(asked: &Map<String, Value>, name: &str, count: usize) -> Result<Vec<f
         .ok_or_else(|| invalid(format!("{name} is a list of {count} numbers")))
 }
 
-/// Output that a derivative is asked of; it is by the one input vector.
-fn wanted(asked: &Map<String, Value>, model: &ForwardModel) -> Result<usize, Refusal> {
+/// Output that a derivative is asked of, and its size; it is by the one input vector.
+fn wanted(asked: &Map<String, Value>, model: &ForwardModel) -> Result<(usize, usize), Refusal> {
     if !model.has_derivatives() {
         return Err(unsupported(
             "this study has no derivatives: with friction the equilibrium depends on the way there",
@@ -208,9 +227,8 @@ fn wanted(asked: &Map<String, Value>, model: &ForwardModel) -> Result<usize, Ref
     }
     let output = asked.get("outWrt").and_then(Value::as_u64);
     let output = output.and_then(|output| usize::try_from(output).ok());
-    output
-        .filter(|output| *output < OUTPUTS.len())
-        .ok_or_else(|| invalid(format!("outWrt is 0, 1 or 2: {}", OUTPUTS.join(", "))))
+    let sized = output.and_then(|output| Some((output, *model.sizes().get(output)?)));
+    sized.ok_or_else(|| invalid(format!("outWrt is 0, 1 or 2: {}", OUTPUTS.join(", "))))
 }
 
 /// The answer at the point that a request is about, once there is a slot for its solve.
