@@ -77,7 +77,7 @@ generate: build-tested setup-npm setup-python
 # The rigs of lab print the tables of docs/.
 RIGS := $(filter-out random_scenes figure,$(basename $(notdir $(wildcard lab/examples/*.rs lab/examples/*/*.rs))))
 
-prove: setup-rust setup-python build-tested audit test-clients
+prove: setup-rust setup-cluster setup-python build-tested audit test-clients
 	STRAINSITE_KILLS=200 $(CARGO) test $(ALL) --test slow kill
 	$(CARGO) test $(ALL) --test slow five_depth_study -- --ignored
 	$(CARGO) test $(ALL) --test quick ground_profiles -- --ignored
@@ -86,6 +86,7 @@ prove: setup-rust setup-python build-tested audit test-clients
 	$(TARGET)/ci/examples/random_scenes 10000 1
 	for rig in $(RIGS); do echo "== $$rig"; $(TARGET)/ci/examples/$$rig; done
 	tests/attacks/ending/stopping-anywhere --moments 40
+	tests/cluster/kills
 	tests/fuzz/run --seconds 600 $(or $(READER),scene)
 
 # Published advisories about what we depend on; what can't be asked is said.

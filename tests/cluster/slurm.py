@@ -1,6 +1,7 @@
 """A Slurm of this user's own on the loopback address: nothing in /etc, no service of the system, nothing left."""
 
 import contextlib
+import dataclasses
 import os
 import pathlib
 import pwd
@@ -18,6 +19,7 @@ NODES = ["v1", "v2", "v3"]
 # Until all nodes are idle, and until a program has ended, seconds.
 PATIENCE = 60.0
 
+# A job of a node that was lost begins again when its credential has expired: after two minutes where nothing is said.
 CONFIGURATION = """\
 ClusterName=test
 SlurmctldHost=localhost(127.0.0.1)
@@ -25,7 +27,7 @@ SlurmctldPort={ports[0]}
 SlurmUser={user}
 SlurmdUser={user}
 AuthType=auth/munge
-AuthInfo=socket={folder}/munge.socket
+AuthInfo=socket={folder}/munge.socket,cred_expire=10
 CredType=cred/munge
 StateSaveLocation={folder}/state
 SlurmdSpoolDir={folder}/spool.%n
@@ -86,66 +88,109 @@ def configure(folder: pathlib.Path) -> pathlib.Path:
 PATHS = f"{os.environ['PATH']}:/usr/sbin:/usr/local/sbin"
 
 
-def start(folder: pathlib.Path, conf: pathlib.Path) -> None:
-    """Starts all of it; each program goes to the background itself."""
-    own = {"key-file": "munge.key", "socket": "munge.socket", "pid-file": "munged.pid", "log-file": "munged.log", "seed-file": "munge.seed"}
-    munged = ["munged", "--force", *(f"--{option}={folder / name}" for option, name in own.items())]
-    programs = [munged, ["slurmctld", "-f", conf], *(["slurmd", "-N", node, "-f", conf] for node in NODES)]
-    for program in programs:
-        subprocess.run(program, env={**os.environ, "PATH": PATHS}, check=True, timeout=PATIENCE, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+def call(program: list[str | pathlib.Path]) -> None:
+    """Calls a program that goes to the background itself."""
+    subprocess.run(program, env={**os.environ, "PATH": PATHS}, check=True, timeout=PATIENCE, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
 
-def wait_for_nodes(environment: dict[str, str]) -> None:
-    """Returns when all nodes are idle."""
-    begun = time.monotonic()
-    while True:
-        said = subprocess.run(["sinfo", "-h", "-N", "-o", "%t"], env=environment, capture_output=True, text=True, check=False)
-        if said.stdout.split() == ["idle"] * len(NODES):
-            return
-        if time.monotonic() - begun > PATIENCE:
-            raise TimeoutError(f"nodes aren't idle: {said.stdout} {said.stderr}")
-        time.sleep(0.2)
-
-
-def is_alive(process: int) -> bool:
-    """Whether a process runs; one that ended and that nobody waited for doesn't."""
+def is_alive(process: int, folder: pathlib.Path) -> bool:
+    """Whether a program of this folder's runs under a number; one that ended, and that nobody waited for, has no command line any more."""
     try:
-        return pathlib.Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
+        return str(folder).encode() in pathlib.Path(f"/proc/{process}/cmdline").read_bytes()
     except OSError:
         return False
 
 
-def stop(folder: pathlib.Path) -> None:
-    """Ends what was started, nodes first, each by the number that it wrote."""
-    files = [*folder.glob("slurmd.*.pid"), folder / "slurmctld.pid", folder / "munged.pid"]
-    for file in files:
+@dataclasses.dataclass
+class Cluster:
+    """A cluster of three nodes."""
+
+    folder: pathlib.Path
+    conf: pathlib.Path
+    # Nodes that are in a world of processes of their own, each with the program that holds it.
+    apart: dict[str, subprocess.Popen[bytes]] = dataclasses.field(default_factory=dict)
+
+    @property
+    def environment(self) -> dict[str, str]:
+        """The environment in which Slurm's commands find it."""
+        return {**os.environ, "SLURM_CONF": str(self.conf)}
+
+    def said(self, *command: str) -> str | None:
+        """What one of Slurm's commands says; none when it fails."""
+        done = subprocess.run(command, env=self.environment, capture_output=True, text=True, check=False, timeout=PATIENCE)
+        return done.stdout if done.returncode == 0 else None
+
+    def start(self) -> None:
+        """Starts all of it."""
+        own = {"key-file": "munge.key", "socket": "munge.socket", "pid-file": "munged.pid", "log-file": "munged.log", "seed-file": "munge.seed"}
+        call(["munged", "--force", *(f"--{option}={self.folder / name}" for option, name in own.items())])
+        self.start_controller()
+        for node in NODES:
+            call(["slurmd", "-N", node, "-f", self.conf])
+        self.wait_for_nodes()
+
+    def start_controller(self) -> None:
+        """Starts what gives out the jobs."""
+        call(["slurmctld", "-f", self.conf])
+
+    def kill_controller(self) -> None:
+        """Ends it without a chance to write anything."""
+        os.kill(int((self.folder / "slurmctld.pid").read_text()), signal.SIGKILL)
+
+    def start_apart(self, node: str) -> None:
+        """Starts a node anew so that all its processes end with it, as on a machine that loses its power; takes the rights of root."""
+        self.stop_by(self.folder / f"slurmd.{node}.pid")
+        command = ["unshare", "-pf", "--kill-child", "--mount-proc", "slurmd", "-D", "-N", node, "-f", self.conf]
+        self.apart[node] = subprocess.Popen(command, env={**os.environ, "PATH": PATHS}, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+    def kill_apart(self, node: str) -> None:
+        """Takes the power off such a node."""
+        process = self.apart.pop(node)
+        process.kill()
+        process.wait()
+
+    def wait_for_nodes(self) -> None:
+        """Returns when all nodes are idle."""
+        begun = time.monotonic()
+        while True:
+            said = self.said("sinfo", "-h", "-N", "-o", "%t") or ""
+            if said.split() == ["idle"] * len(NODES):
+                return
+            if time.monotonic() - begun > PATIENCE:
+                raise TimeoutError(f"nodes aren't idle: {said}")
+            time.sleep(0.2)
+
+    def stop_by(self, file: pathlib.Path) -> None:
+        """Ends the program that wrote its number into a file."""
         with contextlib.suppress(OSError, ValueError):
-            process = int(file.read_text())
-            os.kill(process, signal.SIGTERM)
-            begun = time.monotonic()
-            while is_alive(process):
-                if time.monotonic() - begun > PATIENCE:
-                    os.kill(process, signal.SIGKILL)
+            process, begun = int(file.read_text()), time.monotonic()
+            while is_alive(process, self.folder):
+                os.kill(process, signal.SIGTERM if time.monotonic() - begun < PATIENCE else signal.SIGKILL)
                 time.sleep(0.05)
+
+    def stop(self) -> None:
+        """Ends what was started, nodes first."""
+        for node in list(self.apart):
+            self.kill_apart(node)
+        for file in [*self.folder.glob("slurmd.*.pid"), self.folder / "slurmctld.pid", self.folder / "munged.pid"]:
+            self.stop_by(file)
 
 
 @contextlib.contextmanager
-def cluster() -> Iterator[dict[str, str]]:
-    """Gives the environment in which Slurm's commands find a cluster of three nodes."""
+def cluster() -> Iterator[Cluster]:
+    """Gives a cluster of three idle nodes, of which nothing is left afterwards."""
     if shutil.which("slurmctld", path=PATHS) is None:
         sys.exit("there is no Slurm: on Debian it is apt-get install slurm-wlm munge")
     # A socket's path may have 107 bytes.
     with tempfile.TemporaryDirectory(prefix="slurm-", dir="/tmp") as name:
         folder = pathlib.Path(name)
-        conf = configure(folder)
-        environment = {**os.environ, "SLURM_CONF": str(conf)}
+        own = Cluster(folder, configure(folder))
         try:
-            start(folder, conf)
-            wait_for_nodes(environment)
-            yield environment
-        except Exception:
+            own.start()
+            yield own
+        except BaseException:
             for log in sorted(folder.glob("*.log")):
                 print(f"== {log.name}", *log.read_text(errors="replace").splitlines()[-5:], sep="\n")
             raise
         finally:
-            stop(folder)
+            own.stop()

@@ -76,6 +76,7 @@ pub(crate) const SWEEP: &str = "Examples:
   strainsite sweep studies/foot-tire.toml --grid geometry.wall_mm=2.5,3,3.5 --grid carcass.angle_deg=50,55
   strainsite sweep studies/foot-tire.toml --grid geometry.wall_mm=2.5,3 --set accuracy.preset=coarse
   strainsite sweep studies/foot-tire.toml --grid 'layouts.spacings_deg=[60],[90]' --dry-run
+  strainsite sweep studies/foot-tire.toml --grid geometry.wall_mm=2.5,3,3.5 --engine slurm --slurm-options=--partition=short
   strainsite sweep --resume 019aa2b3
   strainsite sweep --resume 019aa2b3 --grid geometry.wall_mm=4 --json sweep.json";
 

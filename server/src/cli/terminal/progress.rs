@@ -34,7 +34,7 @@ pub(crate) fn bytes_bar(of: u64) -> ProgressBar {
 
 fn ticking_bar(of: u64, counted: &str) -> ProgressBar {
     let bar = ProgressBar::with_draw_target(Some(of), ProgressDrawTarget::hidden());
-    let template = format!("{{wide_bar}} {counted}, {{elapsed}} gone, {{eta}} to go");
+    let template = format!("{{wide_bar}} {counted}, {{elapsed}} gone, {{eta}} to go  {{msg}}");
     if let Ok(style) = ProgressStyle::with_template(&template) {
         bar.set_style(style);
     }

@@ -2,7 +2,10 @@
 
 mod asked;
 mod designs;
+mod elsewhere;
 pub mod tasks;
+
+use std::sync::atomic::AtomicBool;
 
 use clap::Args;
 use documents::sweep::Sweep as Plan;
@@ -13,6 +16,8 @@ use tokio::runtime::Runtime;
 use crate::cli::commands::compare::table;
 use crate::cli::commands::sweep::asked::Asked;
 use crate::cli::commands::sweep::designs::Crew;
+use crate::cli::commands::sweep::elsewhere::{Elsewhere, Rounds};
+use crate::cli::commands::sweep::tasks::packing::lacking;
 use crate::cli::solver_option::SolverOption;
 use crate::cli::terminal::estimate_text::{dry_sweep, estimated};
 use crate::cli::terminal::exit::Failure;
@@ -28,6 +33,7 @@ use service::forecast::forecast_sweep;
 use service::queue::recover;
 use service::queue::sweeps::designs_of;
 use service::wire::sweep_wire::SweepDetail;
+use store::queue::sweep_rows::SweepRow;
 
 /// Run one study over a grid of designs, and compare them
 #[derive(Debug, Args)]
@@ -38,6 +44,8 @@ pub struct Sweep {
     config: Config,
     #[command(flatten)]
     solver: SolverOption,
+    #[command(flatten)]
+    elsewhere: Elsewhere,
     /// Say what the sweep would cost, and solve nothing
     #[arg(long, conflicts_with = "resume")]
     dry_run: bool,
@@ -61,16 +69,18 @@ impl Sweep {
         if let (true, Some(plan)) = (self.dry_run, &plan) {
             return self.estimate(&runtime, plan);
         }
-        let solver = self.solver.solver().map_err(Failure::other)?;
-        let opened = runtime.block_on(self.config.open());
-        let engine = self
-            .config
-            .work
-            .engine(solver, opened.map_err(Failure::other)?);
-        let ended = self.run(&runtime, &engine, plan.as_ref());
-        let closed = runtime.block_on(engine.store.close());
-        let (detail, comparison) = ended?;
-        closed.map_err(Failure::other)?;
+        let stop = stop_flag(&runtime)?;
+        let asked = |engine: &Engine| self.stored(&runtime, engine, plan.as_ref());
+        let solved = |engine: &Engine, sweep: &SweepRow| self.run(&runtime, engine, sweep, &stop);
+        let (detail, comparison) = match self.elsewhere.engine()? {
+            None => self.with_engine(&runtime, |engine| solved(engine, &asked(engine)?))?,
+            Some(mut other) => {
+                let sweep = self.with_engine(&runtime, asked)?;
+                self.rounds(&runtime, &sweep, &stop)?
+                    .solve(other.as_mut())?;
+                self.with_engine(&runtime, |engine| solved(engine, &sweep))?
+            }
+        };
         if let Some(target) = &self.json {
             target.write(&json!({"sweep": detail, "comparison": comparison}))?;
         }
@@ -101,18 +111,70 @@ impl Sweep {
         )
     }
 
-    fn run(
+    /// Opens the database for a piece of work, and closes it whatever comes of that.
+    fn with_engine<T>(
+        &self,
+        runtime: &Runtime,
+        work: impl FnOnce(&Engine) -> Result<T, Failure>,
+    ) -> Result<T, Failure> {
+        let solver = self.solver.solver().map_err(Failure::other)?;
+        let opened = runtime.block_on(self.config.open());
+        let engine = self
+            .config
+            .work
+            .engine(solver, opened.map_err(Failure::other)?);
+        let ended = work(&engine);
+        let closed = runtime.block_on(engine.store.close());
+        let ended = ended?;
+        closed.map_err(Failure::other)?;
+        Ok(ended)
+    }
+
+    fn stored(
         &self,
         runtime: &Runtime,
         engine: &Engine,
         plan: Option<&Plan>,
-    ) -> Result<(SweepDetail, Comparison), Failure> {
+    ) -> Result<SweepRow, Failure> {
         runtime
             .block_on(recover(&engine.store))
             .map_err(Failure::other)?;
         let there = self.config.memory_bytes();
-        let sweep = self.asked.stored(runtime, engine, plan, there)?;
-        let stop = stop_flag(runtime)?;
+        self.asked.stored(runtime, engine, plan, there)
+    }
+
+    /// Rounds of tasks for other machines.
+    fn rounds<'r>(
+        &'r self,
+        runtime: &'r Runtime,
+        sweep: &'r SweepRow,
+        stop: &'r AtomicBool,
+    ) -> Result<Rounds<'r>, Failure> {
+        Ok(Rounds {
+            runtime,
+            database: &self.config.db,
+            sweep: &sweep.id,
+            folder: self.elsewhere.folder(&self.config.db, &sweep.id),
+            solver: self.solver.solver().map_err(Failure::other)?,
+            lacking: Box::new(move |minutes| {
+                self.with_engine(runtime, |engine| {
+                    runtime
+                        .block_on(lacking(engine, &sweep.id, minutes))
+                        .map_err(Failure::other)
+                })
+            }),
+            minutes: self.elsewhere.minutes(),
+            stop,
+        })
+    }
+
+    fn run(
+        &self,
+        runtime: &Runtime,
+        engine: &Engine,
+        sweep: &SweepRow,
+        stop: &AtomicBool,
+    ) -> Result<(SweepDetail, Comparison), Failure> {
         let designs = || {
             let found = runtime.block_on(designs_of(&engine.store, &sweep.id));
             found.map_err(Failure::other)
@@ -124,7 +186,7 @@ impl Sweep {
             engine,
             solver: &|| self.solver.solver().map_err(Failure::other),
             memory_bytes: self.config.memory_bytes(),
-            stop: &stop,
+            stop,
         };
         let whole = crew.run(&all, &bar);
         if !whole? {
@@ -142,7 +204,7 @@ impl Sweep {
             of_designs(&mut connection, &ended).await
         });
         let comparison = compare(&entries.map_err(Failure::other)?, None);
-        let detail = SweepDetail::of(&sweep, &ended).map_err(Failure::other)?;
+        let detail = SweepDetail::of(sweep, &ended).map_err(Failure::other)?;
         Ok((detail, comparison))
     }
 }

@@ -5,6 +5,7 @@ use serde_json::Value;
 use crate::cli::draft;
 use crate::program::{strainsite, text};
 
+mod elsewhere;
 mod tasks;
 
 fn json(bytes: &[u8]) -> Value {

@@ -1,6 +1,6 @@
 //! `strainsite tasks gather`: takes in what tasks handed in, each once one of its points gave the same bits here.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
@@ -11,7 +11,7 @@ use serde::Serialize;
 use sqlx::{Connection, SqliteConnection};
 use tokio::runtime::Runtime;
 
-use super::task_folder::{Task, TaskFolder};
+use super::task_folder::{Task, TaskFolder, Tasks};
 use crate::cli::solver_option::SolverOption;
 use crate::cli::terminal::exit::Failure;
 use crate::cli::terminal::files::Files;
@@ -49,15 +49,19 @@ pub(super) struct Gather {
 
 /// Task, and what became of it.
 #[derive(Debug, Serialize)]
-struct Gathered {
-    task: usize,
+pub(crate) struct Gathered {
+    /// Number of the task.
+    pub task: usize,
     /// Designs that have ended, of those that it has.
-    ended: usize,
-    designs: usize,
+    pub ended: usize,
+    /// Designs that it has.
+    pub designs: usize,
+    /// Rows that were taken in.
     #[serde(skip_serializing_if = "Option::is_none")]
     taken: Option<Merged>,
+    /// Reason why nothing was, a sentence.
     #[serde(skip_serializing_if = "Option::is_none")]
-    refused: Option<String>,
+    pub refused: Option<String>,
 }
 
 impl Gather {
@@ -69,17 +73,8 @@ impl Gather {
         let (folder, tasks) = TaskFolder::open(&self.dir)?;
         let runtime = Runtime::new().map_err(Failure::other)?;
         let solver = self.solver.solver().map_err(Failure::other)?;
-        let gathered = runtime.block_on(async {
-            let opened = Merging::open(&self.db).await;
-            let mut head = opened.map_err(Failure::other)?;
-            let mut gathered = Vec::new();
-            for (index, task) in tasks.tasks.iter().enumerate() {
-                gathered.push(one(&mut head, &folder, index + 1, task, &solver).await?);
-            }
-            head.close().await.map_err(Failure::other)?;
-            Ok::<_, Failure>(gathered)
-        });
-        let gathered = gathered?;
+        let all: Vec<usize> = (1..=tasks.tasks.len()).collect();
+        let gathered = runtime.block_on(gather(&self.db, (&folder, &tasks), &all, &solver))?;
         if let Some(target) = &self.json {
             target.write(&gathered)?;
         }
@@ -100,6 +95,27 @@ impl Gather {
             ))),
         }
     }
+}
+
+/// Takes in what these tasks handed in, and says of each what became of it.
+///
+/// # Errors
+/// When the database can't be read or written, or has no lock to give; what can't be read of a task refuses that task alone.
+pub(crate) async fn gather(
+    database: &Path,
+    (folder, tasks): (&TaskFolder, &Tasks),
+    numbers: &[usize],
+    solver: &Arc<dyn Solver>,
+) -> Result<Vec<Gathered>, Failure> {
+    let opened = Merging::open(database).await;
+    let mut head = opened.map_err(Failure::other)?;
+    let mut gathered = Vec::new();
+    for &number in numbers {
+        let task = &tasks.tasks[number - 1];
+        gathered.push(one(&mut head, folder, number, task, solver).await?);
+    }
+    head.close().await.map_err(Failure::other)?;
+    Ok(gathered)
 }
 
 /// Takes in what a task handed in, or says why not.
@@ -144,7 +160,7 @@ async fn one(
 /// Rows that were taken of a file, or the reason why it is refused.
 async fn merged(
     head: &mut Merging,
-    file: &std::path::Path,
+    file: &Path,
     task: &Task,
     solver: &Arc<dyn Solver>,
 ) -> Result<Result<Merged, String>, StoreError> {
@@ -266,6 +282,7 @@ fn solved(solver: &dyn Solver, point: &FirstPoint) -> Option<Response> {
 }
 
 impl Gathered {
+    /// A line of a table for people.
     fn line(&self) -> String {
         let said = match (&self.refused, &self.taken) {
             (Some(because), _) => painted(BAD, because),

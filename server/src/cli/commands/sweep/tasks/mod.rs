@@ -1,11 +1,13 @@
 //! `strainsite tasks`: designs of a sweep that other machines solve, by whatever starts programs on them.
 //!
 //! - `task_folder`: what lies in the folder of a sweep's tasks
-//! - `making`: writes it, `task_run`: does one task, `gathering`: takes in what was done
+//! - `packing`: what a sweep lacks, packed into tasks and written there
+//! - `making`: has it written, `task_run`: does one task, `gathering`: takes in what was done
 
-mod gathering;
+pub(crate) mod gathering;
 mod making;
-mod task_folder;
+pub(crate) mod packing;
+pub(crate) mod task_folder;
 mod task_run;
 
 use clap::{Args, Subcommand};

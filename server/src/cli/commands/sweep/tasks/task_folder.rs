@@ -16,7 +16,7 @@ use crate::cli::terminal::exit::Failure;
 
 /// Tasks of a sweep.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(super) struct Tasks {
+pub(crate) struct Tasks {
     /// Version of the head's solver, with the fingerprint of its numerics.
     pub version: String,
     /// Identifier of the sweep.
@@ -27,7 +27,7 @@ pub(super) struct Tasks {
 
 /// Designs that one machine solves.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(super) struct Task {
+pub(crate) struct Task {
     /// Identifiers of their studies.
     pub studies: Vec<String>,
     /// Time that they are expected to take on the head's threads, s.
@@ -36,7 +36,7 @@ pub(super) struct Task {
 
 /// Reason why a node handed in nothing.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(super) struct Refusal {
+pub(crate) struct Refusal {
     /// Name of the node.
     pub node: String,
     /// A sentence.
@@ -45,7 +45,7 @@ pub(super) struct Refusal {
 
 /// The folder.
 #[derive(Debug, Clone)]
-pub(super) struct TaskFolder {
+pub(crate) struct TaskFolder {
     path: PathBuf,
 }
 
@@ -73,9 +73,14 @@ impl TaskFolder {
         Ok((folder, tasks))
     }
 
+    /// Place of the program.
+    pub fn program(&self) -> PathBuf {
+        self.path.join("strainsite")
+    }
+
     /// Copies this program into the folder, and returns its path there.
     pub(super) fn with_program(&self) -> Result<PathBuf, Failure> {
-        let program = self.path.join("strainsite");
+        let program = self.program();
         let own = std::env::current_exe().map_err(Failure::other)?;
         fs::copy(&own, &program).map_err(|error| unwritten(&program, &error))?;
         Ok(program)
@@ -89,6 +94,23 @@ impl TaskFolder {
     /// Returns the path of the folder.
     pub fn path(&self) -> &Path {
         &self.path
+    }
+
+    /// Makes a further folder in it, where that isn't there.
+    pub fn part(&self, name: &str) -> Result<(), Failure> {
+        let part = self.path.join(name);
+        fs::create_dir_all(&part).map_err(|error| unwritten(&part, &error))
+    }
+
+    /// A document of this name beside the tasks, where there is one.
+    pub fn note<T: DeserializeOwned>(&self, name: &str) -> Result<Option<T>, Failure> {
+        let path = self.path.join(name);
+        path.exists().then(|| read(&path)).transpose()
+    }
+
+    /// Writes a document of this name beside the tasks.
+    pub(crate) fn write_note<T: Serialize>(&self, name: &str, document: &T) -> Result<(), Failure> {
+        write(&self.path.join(name), document)
     }
 
     fn tasks(&self) -> PathBuf {
