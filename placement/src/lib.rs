@@ -13,6 +13,7 @@
 //! - [`ladder`]: meshes times methods, from quick to accurate
 //! - [`compare`]: studies side by side, and which differences are real
 //! - [`estimate`]: what a study will cost, before anything is solved
+//! - [`sharing`]: work shared out among machines
 
 pub mod answer;
 mod assumptions;
@@ -24,4 +25,5 @@ pub mod points;
 pub mod response_table;
 pub mod run;
 pub mod score;
+pub mod sharing;
 pub mod signals;

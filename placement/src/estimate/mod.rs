@@ -1,11 +1,10 @@
 //! Estimate of a study before anything is solved: solves, time, memory, and the accuracy to expect.
 //!
 //! [`Workload::of`] lists the solves, `solve_time` says how long each takes, and [`estimate`] adds them up for a machine and a database that may have
-//! some of them already. [`Pace`] corrects that while a study runs, and [`NextLevel`] says what a surer answer would take. [`FirstPoint`] is what a study solves first. All of it is a function of its arguments: who asks brings what was measured and what is known.
+//! some of them already. [`Pace`] corrects that while a study runs, and [`NextLevel`] says what a surer answer would take. All of it is a function of its arguments: who asks brings what was measured and what is known.
 
 mod accuracy;
 mod estimated_cost;
-mod first_point;
 mod lone_memory;
 mod next_level;
 mod pace;
@@ -14,9 +13,9 @@ mod solve_time;
 mod workload;
 
 pub use self::estimated_cost::estimate;
-pub use self::first_point::FirstPoint;
 pub use self::lone_memory::solve_memory_bytes;
 pub use self::next_level::NextLevel;
 pub use self::pace::Pace;
 pub use self::solve_time::{Machine, Sample};
 pub use self::workload::Workload;
+pub(crate) use self::workload::rungs;

@@ -8,8 +8,10 @@
 use std::collections::{BTreeMap, HashMap};
 
 use estimation::error_metrics::order_statistics::upper_median;
-use fem_client::scene::{Film, Level, Scene};
+use fem_client::scene::{Level, Scene};
 use fem_client::solver::{Readout, Solver};
+
+use crate::points::{mirror_class, tire};
 
 /// Cells of the draft mesh of the reference tire.
 pub(super) const CELLS: f64 = 300.0;
@@ -350,31 +352,6 @@ fn recognised(samples: &[Sample], solver: &dyn Solver) -> Vec<(Task, f64)> {
     }
     found.extend(near.into_values());
     found
-}
-
-/// All of a scene that decides its inflated state and its mesh.
-pub(crate) fn tire(scene: &Scene) -> String {
-    let mut plain = scene.clone();
-    plain.ground.depths_mm.clear();
-    plain.ground.load_n = None;
-    plain.contact.friction = 0.0;
-    format!("{plain:?}")
-}
-
-/// The ground's depths or load, the same for a ground and its mirror image.
-pub(crate) fn mirror_class(scene: &Scene) -> Vec<u64> {
-    let ground = &scene.ground;
-    let depths: Vec<u64> = ground
-        .depths_mm
-        .iter()
-        .chain(&ground.load_n)
-        .map(|d| d.to_bits())
-        .collect();
-    if !scene.film.as_ref().is_none_or(Film::is_own_mirror_image) {
-        return depths;
-    }
-    let mirrored: Vec<u64> = depths.iter().rev().copied().collect();
-    depths.min(mirrored)
 }
 
 #[cfg(test)]

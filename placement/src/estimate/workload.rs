@@ -8,12 +8,12 @@ use fem_client::solver::direction::Direction;
 use fem_client::solver::{Readout, Solver};
 use gsa::method::{Kind, Method};
 
-use super::solve_time::{How, Task, mirror_class, tire};
+use super::solve_time::{How, Task};
 use crate::assumptions::changed_scenes::{assumption_series, changed_scorings};
 use crate::ladder::fidelity::Fidelity;
 use crate::layout::solving::layout_workload::{largest_layout, layout_series, scorings, searched};
 use crate::layout::solving::study_layouts::Asked;
-use crate::points::{SceneSeries, Starts, keys};
+use crate::points::{SceneSeries, Starts, keys, mirror_class, tire};
 use crate::response_table::study_table::StudyTable;
 use crate::signals::measuring::signal_series;
 use documents::layouts::contact_laws::Scatter;
@@ -287,7 +287,7 @@ fn numbers() -> impl Fn(&[Scene], &Starts, &Readout) -> Vec<String> {
 }
 
 /// Rungs that a study is answered on, as far as is known before.
-pub(super) fn rungs(study: &Study) -> Vec<Fidelity> {
+pub(crate) fn rungs(study: &Study) -> Vec<Fidelity> {
     match study.accuracy {
         Accuracy::Preset => vec![Fidelity::of(study)],
         Accuracy::Tolerance(_) | Accuracy::Budget(_) => path(Fidelity::of(study)),

@@ -1,11 +1,13 @@
 //! Solves the points that the archive lacks, on threads of their own.
 //!
 //! - [`archive`]: where solved points are kept; [`memory`] keeps them for as long as the program runs
+//! - `ground_images`: grounds of which a solver solves one for two
 //! - `series`: series of points, what each starts from, and how all are solved
 //! - `run_context`: what a run is done with; `run_event`, `run_error`: what is told meanwhile, and why nothing came of it
 //! - [`worker_threads`]: work on as many threads as a user asks for; [`usage`]: time and memory of this process; [`machine_memory`]: how much there is
 
 pub mod archive;
+mod ground_images;
 pub mod machine_memory;
 pub mod memory;
 mod run_context;
@@ -15,6 +17,7 @@ mod series;
 pub mod usage;
 pub mod worker_threads;
 
+pub(crate) use self::ground_images::{mirror_class, mirror_key, tire};
 pub use self::run_context::RunContext;
 pub use self::run_error::RunError;
 pub use self::run_event::{Event, Observer};

@@ -17,6 +17,7 @@ use super::point_readouts::PointReadouts;
 use super::point_watch::PointWatch;
 use super::starts::Starts;
 use crate::points::archive::{Archive, ArchiveError, Outcome, PointRecord};
+use crate::points::ground_images::images_near;
 use crate::points::run_error::{RunError, refusals};
 use crate::points::run_event::{Event, Observer};
 use results::{Cause, FailedPoint};
@@ -335,8 +336,8 @@ impl Points<'_> {
             Some((ordinal, outcome))
         };
         let mut outcomes: Vec<_> = match process {
-            // In their order, so that of two mirrored grounds one is still remembered when the other one's turn comes.
-            Process::Own => ordinals
+            // Of two mirrored grounds one is still remembered when the other one's turn comes.
+            Process::Own => images_near(ordinals, self.scenes)
                 .iter()
                 .par_bridge()
                 .filter_map(unless_over)

@@ -4,6 +4,7 @@
 //! points that were solved, and what is lacking is solved from the same start.
 
 mod answered;
+mod shared_part;
 
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -84,6 +85,19 @@ impl End {
             Self::Stopped => "stopped",
             Self::Paused => "paused",
             Self::Unstorable(_) => "database unwritable",
+        }
+    }
+
+    /// End of a run that an error ended.
+    fn of(error: &RunError, archive: &StoreArchive) -> Self {
+        match (error, archive.unwritable()) {
+            (RunError::Stopped, _) => Self::Stopped,
+            (RunError::Paused, _) => Self::Paused,
+            (RunError::Archive(_), Some(cause)) => Self::Unstorable(cause),
+            _ => Self::Failed {
+                error: error.to_string(),
+                points: error.failed_points().to_vec(),
+            },
         }
     }
 
@@ -177,15 +191,7 @@ impl Engine {
                 result.study.id.clone_from(&row.id);
                 End::Done(Box::new(result))
             }
-            Err(RunError::Stopped) => End::Stopped,
-            Err(RunError::Paused) => End::Paused,
-            Err(error) => match (&error, archive.unwritable()) {
-                (RunError::Archive(_), Some(cause)) => End::Unstorable(cause),
-                _ => End::Failed {
-                    error: error.to_string(),
-                    points: error.failed_points().to_vec(),
-                },
-            },
+            Err(error) => End::of(&error, &archive),
         }
     }
 

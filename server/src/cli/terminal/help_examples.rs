@@ -87,6 +87,7 @@ pub(crate) const UMBRIDGE: &str = "Examples:
 
 /// Examples of `tasks make`.
 pub(crate) const TASKS_MAKE: &str = "Examples:
+  strainsite tasks make tensor.toml --dir points
   strainsite tasks make studies/foot-tire.toml --grid geometry.wall_mm=2.5,3,3.5 --dir walls
   strainsite tasks make --resume 019aa2b3 --dir again --minutes 30";
 

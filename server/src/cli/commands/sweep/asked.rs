@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use documents::study::Study;
 use documents::sweep::{self as placed, Design, Sweep as Plan, sweep_of, typed_grid};
-use serde_json::json;
+use serde_json::{Map, json};
 use tokio::runtime::Runtime;
 
 use crate::cli::commands::library;
@@ -24,7 +24,7 @@ pub(super) struct Asked {
     #[arg(required_unless_present = "resume", conflicts_with = "resume")]
     study: Option<PathBuf>,
     /// Values that a field takes, as in geometry.wall_mm=2.5,3,3.5; given more than once, every combination is a design
-    #[arg(long, value_name = "KEY=V1,V2,...", required_unless_present = "resume")]
+    #[arg(long, value_name = "KEY=V1,V2,...")]
     grid: Vec<String>,
     /// Set a field of the study or its scene otherwise in all designs; may be given more than once
     #[arg(long, value_name = "KEY=VALUE", conflicts_with = "resume")]
@@ -48,10 +48,33 @@ impl Asked {
     pub(super) fn plan(&self) -> Result<Option<Plan>, Failure> {
         let planned = |path: &PathBuf| {
             let base = read_changed(path, &self.set).map_err(Failure::Input)?.study;
+            if self.grid.is_empty() {
+                return Ok(self.alone(base));
+            }
             let grid = typed_grid(&self.grid).map_err(Failure::Input)?;
             sweep_of(base, self.name.as_deref(), &grid).map_err(Failure::Input)
         };
         self.study.as_ref().map(planned).transpose()
+    }
+
+    /// Whether it is one study without a grid.
+    pub(super) fn is_alone(&self) -> bool {
+        self.study.is_some() && self.grid.is_empty()
+    }
+
+    /// A study as the only design.
+    fn alone(&self, base: Study) -> Plan {
+        let name = self.name.as_ref().unwrap_or(&base.name).clone();
+        let only = Design {
+            name: base.name.clone(),
+            set: Map::new(),
+            study: base.clone(),
+        };
+        Plan {
+            name,
+            base,
+            designs: vec![only],
+        }
     }
 
     /// The sweep, new or gone on with, in the database; none of its designs may take more memory than there is, bytes.

@@ -64,6 +64,11 @@ impl Sweep {
 
     /// Runs the designs that have no result yet, and prints the comparison.
     pub fn execute(&self) -> Result<(), Failure> {
+        if self.asked.is_alone() && !self.elsewhere.is_asked() {
+            return Err(Failure::input(
+                "a sweep needs --grid, as in --grid geometry.wall_mm=2.5,3; strainsite run STUDY runs a study alone",
+            ));
+        }
         let plan = self.asked.plan()?;
         let runtime = Runtime::new().map_err(Failure::other)?;
         if let (true, Some(plan)) = (self.dry_run, &plan) {
@@ -158,9 +163,7 @@ impl Sweep {
             solver: self.solver.solver().map_err(Failure::other)?,
             lacking: Box::new(move |minutes| {
                 self.with_engine(runtime, |engine| {
-                    runtime
-                        .block_on(lacking(engine, &sweep.id, minutes))
-                        .map_err(Failure::other)
+                    lacking(runtime, engine, &sweep.id, minutes, stop)
                 })
             }),
             minutes: self.elsewhere.minutes(),

@@ -103,28 +103,29 @@ async fn a_study_that_waits_ends_by_what_was_solved_elsewhere() {
     at_the_head.kill();
 }
 
-/// Alters the response of a database's first point, hash and all.
+/// Alters the responses of a database's points, hashes and all.
 pub(crate) async fn poison(database: &Path) {
     let mut connection = sql(database).await;
-    let query = "select key, scene, replace(response, 'reaction_n\":1', 'reaction_n\":2') as response, cost from evaluations limit 1";
-    let columns: (String, String, String, String) = sqlx::query_as(query)
-        .fetch_one(&mut connection)
+    let query = "select key, scene, replace(response, 'reaction_n\":1', 'reaction_n\":2') as response, cost from evaluations";
+    let rows: Vec<(String, String, String, String)> = sqlx::query_as(query)
+        .fetch_all(&mut connection)
         .await
         .expect("reads");
-    let (key, scene, response, cost) = &columns;
-    let mut digest = Sha256::new();
-    for column in [key, scene, response, cost] {
-        digest.update((column.len() as u64).to_le_bytes());
-        digest.update(column);
+    for (key, scene, response, cost) in &rows {
+        let mut digest = Sha256::new();
+        for column in [key, scene, response, cost] {
+            digest.update((column.len() as u64).to_le_bytes());
+            digest.update(column);
+        }
+        let hash: String = digest
+            .finalize()
+            .iter()
+            .map(|byte| format!("{byte:02x}"))
+            .collect();
+        let change = sqlx::query("update evaluations set response = ?, sha256 = ? where key = ?");
+        let changed = change.bind(response).bind(hash).bind(key);
+        changed.execute(&mut connection).await.expect("changes");
     }
-    let hash: String = digest
-        .finalize()
-        .iter()
-        .map(|byte| format!("{byte:02x}"))
-        .collect();
-    let change = sqlx::query("update evaluations set response = ?, sha256 = ? where key = ?");
-    let changed = change.bind(response).bind(hash).bind(key);
-    changed.execute(&mut connection).await.expect("changes");
 }
 
 #[tokio::test]

@@ -100,6 +100,53 @@ async fn what_tasks_hand_in_is_what_a_sweep_solves_and_what_is_poisoned_is_refus
 }
 
 #[tokio::test]
+async fn points_of_a_large_study_are_parts_and_poisoned_ones_are_refused() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let run = |arguments: &[&str]| strainsite(folder.path(), arguments);
+    // Three depths at eight nodes each, 513 points.
+    let three = r#"inputs=[{"name":"a","vary":"ground.depths_mm[1]","distribution":{"kind":"uniform","min":0.9,"max":1.1}},{"name":"b","vary":"ground.depths_mm[2]","distribution":{"kind":"uniform","min":0.9,"max":1.1}},{"name":"c","vary":"ground.depths_mm[3]","distribution":{"kind":"uniform","min":0.9,"max":1.1}}]"#;
+    let tensor = r#"method={"kind":"tensor","nodes":8}"#;
+    let of_study = [
+        "--set",
+        three,
+        "--set",
+        tensor,
+        "--dir",
+        "tasks",
+        "--minutes",
+        "0.01",
+    ];
+    let study = draft(folder.path());
+    let made = run(&[&["tasks", "make", study, "--json", "-"], &of_study[..]].concat());
+    let made = gathered(&made, 0);
+    let tasks = made["tasks"].as_array().expect("tasks");
+    let count = tasks.len();
+    assert!((2..=5).contains(&count), "{made}");
+    assert_eq!(tasks[1]["part"]["number"], 2, "{made}");
+    for number in ["1", "2"] {
+        let ran = run(&["tasks", "run", "tasks", number]);
+        assert_eq!(ran.status.code(), Some(0), "{}", text(&ran.stderr));
+    }
+    poison(&folder.path().join("tasks/done/2.db")).await;
+    let some = gathered(&run(&["tasks", "gather", "tasks", "--json", "-"]), 3);
+    let points = some[0]["taken"]["points"]["new"].as_u64();
+    assert!(
+        points >= Some(512 / 5 - 3) && some[0]["ended"] == 1,
+        "{some}"
+    );
+    assert!(
+        some[1]["refused"].is_string() && some[1]["ended"] == 0,
+        "{some}"
+    );
+    // What is known already isn't solved again.
+    let more = run(&[
+        "tasks", "make", "--resume", "latest", "--dir", "more", "--json", "-",
+    ]);
+    let more = gathered(&more, 0);
+    assert_eq!(more["tasks"].as_array().map(Vec::len), Some(1), "{more}");
+}
+
+#[tokio::test]
 async fn a_task_that_is_stopped_hands_in_what_it_has_and_goes_on_from_there() {
     let folder = tempfile::tempdir().expect("temp dir");
     let run = |arguments: &[&str]| strainsite(folder.path(), arguments);

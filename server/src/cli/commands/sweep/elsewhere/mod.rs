@@ -57,6 +57,11 @@ enum EngineName {
 }
 
 impl Elsewhere {
+    /// Whether other machines are to solve anything.
+    pub(super) fn is_asked(&self) -> bool {
+        self.engine.is_some()
+    }
+
     /// The engine that is asked for.
     pub(super) fn engine(&self) -> Result<Option<Box<dyn Engine>>, Failure> {
         let Some(name) = self.engine else {

@@ -2,15 +2,14 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 
 use clap::Args;
-use fem_client::solver::{Response, SolveRequest, Solver};
-use placement::estimate::FirstPoint;
+use fem_client::solver::Solver;
+use placement::sharing::Part;
 use serde::Serialize;
-use sqlx::{Connection, SqliteConnection};
 use tokio::runtime::Runtime;
 
+use super::checking::{doubt, part_points};
 use super::task_folder::{Task, TaskFolder, Tasks};
 use crate::cli::solver_option::SolverOption;
 use crate::cli::terminal::exit::Failure;
@@ -19,12 +18,11 @@ use crate::cli::terminal::output::{JsonTarget, tell};
 use crate::cli::terminal::paint::{BAD, GOOD, painted};
 use crate::cli::terminal::progress::{count, counting_bar};
 use crate::cli::terminal::report::next_steps::shell_word;
-use service::study_document::stored_plan;
 use store::StoreError;
 use store::merging::parts::{Merged, Taken};
-use store::merging::target::{Merging, WholeFile};
+use store::merging::target::Merging;
 use store::points::evaluations;
-use store::queue::study_rows::{self, State};
+use store::queue::study_rows;
 
 /// Take in what was handed in
 #[derive(Debug, Args)]
@@ -52,6 +50,9 @@ pub(super) struct Gather {
 pub(crate) struct Gathered {
     /// Number of the task.
     pub task: usize,
+    /// Part of the points of its design, where it has no more.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    part: Option<Part>,
     /// Designs that have ended, of those that it has.
     pub ended: usize,
     /// Designs that it has.
@@ -142,19 +143,40 @@ async fn one(
     } else if let Some(refusal) = folder.refusal(number) {
         refused = Some(refusal.because);
     }
-    let mut ended = 0;
-    for id in &task.studies {
-        let study = study_rows::find(head.connection(), id).await;
-        let study = study.map_err(Failure::other)?;
-        ended += usize::from(study.is_some_and(|study| study.ended()));
-    }
     Ok(Gathered {
         task: number,
-        ended,
+        part: task.part,
+        ended: ended(head, task, solver).await.map_err(Failure::other)?,
         designs: task.studies.len(),
         taken,
         refused,
     })
+}
+
+/// Counts the designs of a task that have ended; of a part it is one when all its points are here.
+async fn ended(
+    head: &mut Merging,
+    task: &Task,
+    solver: &Arc<dyn Solver>,
+) -> Result<usize, StoreError> {
+    let mut ended = 0;
+    for id in &task.studies {
+        let study = study_rows::find(head.connection(), id).await?;
+        let Some(study) = study else {
+            continue;
+        };
+        let is_here = match task.part.filter(|_| !study.ended()) {
+            None => study.ended(),
+            Some(part) => {
+                let points = part_points(part, study, solver).await;
+                let keys: Vec<&str> = points.iter().map(|point| point.key.as_str()).collect();
+                let known = evaluations::known(head.connection(), &keys).await?;
+                !keys.is_empty() && known.len() == keys.len()
+            }
+        };
+        ended += usize::from(is_here);
+    }
+    Ok(ended)
 }
 
 /// Rows that were taken of a file, or the reason why it is refused.
@@ -185,102 +207,6 @@ async fn merged(
     }
 }
 
-/// Reason to doubt what a file has: designs of another task, or the first point of a design has other bits where it is solved again here. A first point that is known here is compared when
-/// the file is taken.
-async fn doubt(
-    head: &mut Merging,
-    whole: &WholeFile,
-    task: &Task,
-    solver: &Arc<dyn Solver>,
-) -> Result<Option<String>, StoreError> {
-    let (studies, new_points) = head.foreseen(whole).await?;
-    if let Some(other) = studies.iter().find(|id| !task.studies.contains(id)) {
-        return Ok(Some(format!("it has the study {other} of another task")));
-    }
-    let mut theirs = whole.open().await?;
-    let compared = compared(head.connection(), &mut theirs, task, solver).await;
-    theirs.close().await?;
-    Ok(match compared? {
-        Compared::Alike => None,
-        Compared::Otherwise(because) => Some(because),
-        Compared::Nothing if new_points == 0 => None,
-        Compared::Nothing => {
-            Some("it has points, and none of them is the first of a design".to_owned())
-        }
-    })
-}
-
-/// Outcome of a comparison of a file's points with what is solved here.
-enum Compared {
-    /// First point of a design is the same here.
-    Alike,
-    /// First point of a design is another one here, a sentence.
-    Otherwise(String),
-    /// No first point of a design is in the file.
-    Nothing,
-}
-
-async fn compared(
-    head: &mut SqliteConnection,
-    theirs: &mut SqliteConnection,
-    task: &Task,
-    solver: &Arc<dyn Solver>,
-) -> Result<Compared, StoreError> {
-    let mut found_any = Compared::Nothing;
-    for id in &task.studies {
-        let Some(study) = study_rows::find(head, id).await? else {
-            return Ok(Compared::Otherwise(format!(
-                "its study {id} isn't known here: gather into the database that the tasks were made from"
-            )));
-        };
-        if study.state() == State::Done {
-            continue;
-        }
-        let planning = solver.clone();
-        let first = tokio::task::spawn_blocking(move || {
-            FirstPoint::of(&stored_plan(&study).ok()?, planning.as_ref())
-        });
-        let Some(first) = first.await.ok().flatten() else {
-            continue;
-        };
-        let keys = [first.key.clone()];
-        let found = evaluations::find(theirs, &keys).await?.pop().flatten();
-        let Some(found) = found else {
-            continue;
-        };
-        found_any = Compared::Alike;
-        if evaluations::find(head, &keys)
-            .await?
-            .pop()
-            .flatten()
-            .is_some()
-        {
-            continue;
-        }
-        let solving = solver.clone();
-        let again = tokio::task::spawn_blocking(move || solved(solving.as_ref(), &first));
-        let is_alike = again.await.is_ok_and(|own| own == found.outcome.ok());
-        return Ok(match is_alike {
-            true => Compared::Alike,
-            false => Compared::Otherwise(format!(
-                "the first point of its study {id} has other bits than where it is solved here: none of its points is taken"
-            )),
-        });
-    }
-    Ok(found_any)
-}
-
-/// Response of a point, solved here; `None` where there is none.
-fn solved(solver: &dyn Solver, point: &FirstPoint) -> Option<Response> {
-    let request = SolveRequest {
-        scene: &point.scene,
-        readout: &point.readout,
-        start: None,
-        watch: &AtomicBool::new(false),
-    };
-    solver.solve(&request).ok().map(|solved| solved.response)
-}
-
 impl Gathered {
     /// A line of a table for people.
     fn line(&self) -> String {
@@ -289,9 +215,10 @@ impl Gathered {
             (None, Some(_)) => painted(GOOD, "taken"),
             (None, None) => "not handed in".to_owned(),
         };
-        format!(
-            "task {}: {} of {} designs, {said}\n",
-            self.task, self.ended, self.designs
-        )
+        let what = match self.part {
+            Some(Part { number, of }) => format!("part {number} of {of} of a design"),
+            None => format!("{} of {} designs", self.ended, self.designs),
+        };
+        format!("task {}: {what}, {said}\n", self.task)
     }
 }

@@ -1,5 +1,6 @@
 //! `strainsite tasks make`: what a sweep still lacks, as tasks of some minutes.
 
+use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -14,6 +15,7 @@ use crate::cli::terminal::exit::Failure;
 use crate::cli::terminal::files::Files;
 use crate::cli::terminal::output::{JsonTarget, tell};
 use crate::cli::terminal::report::next_steps::shell_word;
+use crate::cli::terminal::signals::stop_flag;
 use crate::config::{Config, minutes};
 use service::queue::recover;
 
@@ -70,11 +72,11 @@ impl Make {
             .engine(solver, opened.map_err(Failure::other)?);
         let recovered = runtime.block_on(recover(&engine.store));
         recovered.map_err(Failure::other)?;
-        let there = self.config.memory_bytes();
+        let (there, stop) = (self.config.memory_bytes(), stop_flag(&runtime)?);
         let stored = self.asked.stored(&runtime, &engine, plan.as_ref(), there);
         let given = stored.and_then(|sweep| {
-            let given = runtime.block_on(lacking(&engine, &sweep.id, self.minutes));
-            Ok((sweep.id, given.map_err(Failure::other)?))
+            let given = lacking(&runtime, &engine, &sweep.id, self.minutes, &stop)?;
+            Ok((sweep.id, given))
         });
         let closed = runtime.block_on(engine.store.close());
         let version = engine.solver.version();
@@ -112,7 +114,7 @@ fn told(folder: &TaskFolder, program: &Path, tasks: &Tasks, database: &Path) -> 
     if count == 0 {
         return "nothing is left to do: every design of the sweep has come to an end\n".to_owned();
     }
-    let designs: usize = tasks.tasks.iter().map(|task| task.studies.len()).sum();
+    let designs: HashSet<&String> = tasks.tasks.iter().flat_map(|task| &task.studies).collect();
     let expected = tasks.tasks.iter().filter_map(|task| task.expected_s);
     let longest = expected.reduce(f64::max).map_or(String::new(), |longest| {
         format!(", the longest about {longest:.0} s on this machine")
@@ -129,6 +131,6 @@ fn told(folder: &TaskFolder, program: &Path, tasks: &Tasks, database: &Path) -> 
          \x20 all of them here  seq {count} | xargs -I N {program} tasks run {dir} N\n\
          \x20 then              strainsite tasks gather {dir} --db {database}\n",
         of(count, "task"),
-        of(designs, "design"),
+        of(designs.len(), "design"),
     )
 }

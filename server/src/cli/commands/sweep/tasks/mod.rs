@@ -2,8 +2,9 @@
 //!
 //! - `task_folder`: what lies in the folder of a sweep's tasks
 //! - `packing`: what a sweep lacks, packed into tasks and written there
-//! - `making`: has it written, `task_run`: does one task, `gathering`: takes in what was done
+//! - `making`: has it written, `task_run`: does one task, `gathering`: takes in what was done, after `checking`
 
+mod checking;
 pub(crate) mod gathering;
 mod making;
 pub(crate) mod packing;
@@ -26,7 +27,7 @@ pub struct Tasks {
 
 #[derive(Debug, Subcommand)]
 enum Task {
-    /// Write the designs that a sweep still lacks into a folder, as tasks of some minutes each
+    /// Write the designs that a sweep still lacks, or the points of a large study, into a folder, as tasks of some minutes each
     #[command(after_help = help_examples::TASKS_MAKE)]
     Make(making::Make),
     /// Do a task on this machine, and hand in what came of it

@@ -9,6 +9,7 @@ use std::fs::{self, DirBuilder};
 use std::os::unix::fs::DirBuilderExt;
 use std::path::{Path, PathBuf};
 
+use placement::sharing::Part;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
@@ -25,11 +26,14 @@ pub(crate) struct Tasks {
     pub tasks: Vec<Task>,
 }
 
-/// Designs that one machine solves.
+/// Designs that one machine solves, or a part of the points of one.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Task {
     /// Identifiers of their studies.
     pub studies: Vec<String>,
+    /// Part of the points of its only study; all that is asked of them when absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub part: Option<Part>,
     /// Time that they are expected to take on the head's threads, s.
     pub expected_s: Option<f64>,
 }

@@ -5,6 +5,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use placement::sharing::Part;
 use serde_json::Map;
 use tokio::runtime::Runtime;
 
@@ -13,7 +14,7 @@ use crate::cli::commands::sweep::designs::Crew;
 use crate::cli::solver_option::SolverOption;
 use crate::cli::terminal::exit::Failure;
 use crate::cli::terminal::output::tell;
-use crate::cli::terminal::progress::progress_bar;
+use crate::cli::terminal::progress::{progress_bar, show};
 use crate::cli::terminal::signals::stop_flag;
 use crate::config::Work;
 use service::queue::recover;
@@ -117,7 +118,16 @@ impl Run {
                 .map_err(Failure::other)
         };
         let bar = progress_bar("");
-        let whole = crew.run(&designs()?, &bar);
+        let solved = match (task.part, designs()?.as_slice()) {
+            (Some(part), [only]) => {
+                let (study, handle) = (&only.study, runtime.handle());
+                let solved = engine.solve_part(study, Some(part), handle, &stop, &|event| {
+                    show(&bar, event);
+                });
+                solved.map_err(Failure::Other)
+            }
+            (_, designs) => crew.run(designs, &bar),
+        };
         bar.finish_and_clear();
         let ended = designs()?
             .iter()
@@ -127,20 +137,25 @@ impl Run {
         closed.map_err(Failure::other)?;
         Ok(Solved {
             ended,
-            whole: whole?,
+            whole: solved?,
         })
     }
 
     fn tell(&self, solved: &Solved, task: &Task, target: &Path) -> Result<(), Failure> {
         let of = task.studies.len();
+        let said = match task.part {
+            Some(Part { number, of }) => {
+                format!("part {number} of {of} of the points of its study")
+            }
+            None => format!("{} of {of} designs have ended", solved.ended),
+        };
         let text = format!(
-            "task {}: {} of {of} designs have ended; handed in as {}\n",
+            "task {}: {said}; handed in as {}\n",
             self.number,
-            solved.ended,
             target.display()
         );
         tell(&text, None)?;
-        match solved.whole && solved.ended == of {
+        match solved.whole && (task.part.is_some() || solved.ended == of) {
             true => Ok(()),
             false => Err(Failure::Partial(format!(
                 "task {} isn't whole: give it once more, and it goes on from what was handed in",

@@ -3,7 +3,7 @@
 use fem_client::scene::Scene;
 use fem_client::solver::{Readout, Solver};
 
-use super::workload::rungs;
+use crate::estimate::rungs;
 use crate::points::{PointReadouts, Starts, keys};
 use documents::study::plan::PlannedStudy;
 
