@@ -111,6 +111,18 @@ pub fn seconds(text: &str) -> Result<Duration, String> {
         .ok_or_else(|| "a time is a number of seconds from 1 to 1e6".to_owned())
 }
 
+/// Reads a time to wait, s.
+///
+/// # Errors
+/// A sentence that says what would be right.
+pub(crate) fn patience(text: &str) -> Result<Duration, String> {
+    let seconds: Option<f64> = text.parse().ok();
+    let seconds = seconds.filter(|seconds| (0.0..=1e6).contains(seconds));
+    seconds
+        .map(Duration::from_secs_f64)
+        .ok_or_else(|| "a time to wait is a number of seconds from 0 to 1e6".to_owned())
+}
+
 /// Reads a time, minutes.
 ///
 /// # Errors

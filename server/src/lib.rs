@@ -6,7 +6,7 @@
 //! - `telemetry`: the log
 //! - [`token`]: the secret that lets a client in
 //! - [`http`]: routes and dashboard
-//! - `umbridge`: a study as a model for other programs
+//! - `umbridge`: UM-Bridge: a study as a model for other programs, and models of others
 //! - [`running`]: database, queue and HTTP together
 //! - [`cli`]: the command line
 

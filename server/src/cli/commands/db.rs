@@ -60,7 +60,7 @@ enum Task {
         #[arg(long)]
         discard: bool,
     },
-    /// Take in what other databases have: points by their keys, ended studies by their identifiers; not while the service runs
+    /// Take in what other databases have: points and runs of models by their keys, ended studies by their identifiers; not while the service runs
     Merge {
         /// Databases, each read whole and compared with its hashes first; one that says something else than this one does is refused
         #[arg(required = true, value_name = "FILE")]
@@ -90,9 +90,9 @@ enum Task {
 /// Part of a database.
 #[derive(Debug, Clone, Copy, ValueEnum)]
 enum Part {
-    /// Points alone, which studies here then find
+    /// Points and runs of models alone, which studies and `gsa run` here then find
     Points,
-    /// All but points and estimators: results, with nothing to analyse them again from
+    /// All but points, runs of models and estimators: results, with nothing to analyse them again from
     Results,
 }
 
@@ -308,6 +308,7 @@ impl MergedFile {
             (taken.studies, "study", "studies"),
             (taken.sweeps, "sweep", "sweeps"),
             (taken.points, "point", "points"),
+            (taken.model_runs, "run of a model", "runs of models"),
             (taken.trades, "measured trade", "measured trades"),
             (taken.estimators, "estimator", "estimators"),
         ];

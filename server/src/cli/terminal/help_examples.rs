@@ -38,6 +38,12 @@ pub(crate) const GSA_ANALYSE: &str = "Examples:
   strainsite gsa analyse inputs.toml values.csv
   strainsite gsa analyse inputs.toml values.csv --json -";
 
+/// Examples of `gsa run`.
+pub(crate) const GSA_RUN: &str = "Examples:
+  strainsite gsa run inputs.toml --model http://127.0.0.1:4242
+  strainsite gsa run inputs.toml --model http://cluster:4242 --at-once 100 --db runs.db --json -
+  strainsite gsa run inputs.toml --model http://127.0.0.1:4242 --name forward --config '{\"level\": 2}' --outputs drag,lift -o values.csv";
+
 /// Examples of `force`.
 pub const FORCE: &str = "Examples:
   strainsite force look monday.csv tuesday.csv

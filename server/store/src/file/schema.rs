@@ -8,7 +8,7 @@ use sqlx::{Connection, SqlSafeStr, SqliteConnection};
 use crate::store_error::StoreError;
 
 /// The files of `migrations`, in order, each by its number and name.
-static CHANGES: [(&str, &str); 5] = [
+static CHANGES: [(&str, &str); 6] = [
     (
         "0001_tables",
         include_str!("../../../../migrations/0001_tables.sql"),
@@ -28,6 +28,10 @@ static CHANGES: [(&str, &str); 5] = [
     (
         "0005_estimator_zeros",
         include_str!("../../../../migrations/0005_estimator_zeros.sql"),
+    ),
+    (
+        "0006_model_runs",
+        include_str!("../../../../migrations/0006_model_runs.sql"),
     ),
 ];
 

@@ -15,6 +15,7 @@ use crate::file::lock::DatabaseLock;
 use crate::file::opening::{self, Missing};
 use crate::points::crashes;
 use crate::points::evaluations;
+use crate::points::model_runs;
 use crate::points::study_points;
 use crate::queue::estimator_rows;
 use crate::queue::study_rows;
@@ -59,6 +60,7 @@ pub async fn inspect(
         for key in keys {
             let read = match table {
                 "evaluations" => evaluations::find(connection, &[key]).await.err(),
+                "model_runs" => model_runs::find(connection, &[key]).await.err(),
                 "start_states" => evaluations::find_start(connection, &key).await.err(),
                 "results" => result_rows::check(connection, &key).await.err(),
                 "studies" => check_study(connection, &key).await.err(),
@@ -82,8 +84,9 @@ pub async fn inspect(
 }
 
 /// Tables whose rows have a hash, with their keys.
-const KEYED: [(&str, &str); 7] = [
+const KEYED: [(&str, &str); 8] = [
     ("evaluations", "select key from evaluations"),
+    ("model_runs", "select key from model_runs"),
     ("start_states", "select key from start_states"),
     ("results", "select study from results"),
     ("studies", "select id from studies"),

@@ -12,6 +12,8 @@ use crate::store_error::StoreError;
 pub(super) enum Difference {
     /// Point of this key with another response, cost aside.
     Point(String),
+    /// Run of this key, of a model that another program serves, with other outputs.
+    ModelRun(String),
     /// Study of this identifier with another document.
     Document(String),
     /// Study of this identifier with another result.
@@ -29,6 +31,9 @@ const POINT: &str = "select o.key from other.evaluations o join main.evaluations
      where o.scene is not m.scene or o.response is not m.response or o.failure is not m.failure
      or o_fields.lists is not m_fields.lists or o_start.state <> m_start.state
      order by o.key limit 1";
+const MODEL_RUN: &str =
+    "select o.key from other.model_runs o join main.model_runs m on m.key = o.key
+     where o.outputs <> m.outputs order by o.key limit 1";
 const DOCUMENT: &str = "select o.id from other.studies o join main.studies m on m.id = o.id
      where o.spec_sha256 <> m.spec_sha256 order by o.id limit 1";
 const RESULT: &str = "select o.study from other.results o join main.results m on m.study = o.study
@@ -43,15 +48,18 @@ pub(super) async fn first(
     connection: &mut SqliteConnection,
     taken: Taken,
 ) -> Result<Option<Difference>, StoreError> {
-    let of_points = (POINT, Difference::Point as fn(String) -> Difference);
+    let of_points = [
+        (POINT, Difference::Point as fn(String) -> Difference),
+        (MODEL_RUN, Difference::ModelRun),
+    ];
     let of_studies = [
         (DOCUMENT, Difference::Document as fn(String) -> Difference),
         (RESULT, Difference::Result),
         (SWEEP, Difference::Sweep),
     ];
-    let points = (taken != Taken::Results).then_some(of_points);
+    let points = of_points.into_iter().filter(|_| taken != Taken::Results);
     let studies = of_studies.into_iter().filter(|_| taken != Taken::Points);
-    for (query, difference) in points.into_iter().chain(studies) {
+    for (query, difference) in points.chain(studies) {
         let key: Option<String> = sqlx::query_scalar(query)
             .fetch_optional(&mut *connection)
             .await?;
@@ -92,6 +100,9 @@ impl Difference {
                     "its point {key} is known here {how}; one of both was solved wrongly, or altered"
                 )
             }
+            Self::ModelRun(key) => format!(
+                "its run {key} of a model that another program serves is known here with other outputs; the model isn't the same each time, or one of both was altered"
+            ),
             Self::Document(study) => {
                 format!("its study {study} is known here with another document")
             }

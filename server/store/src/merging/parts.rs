@@ -5,11 +5,11 @@ use serde::Serialize;
 /// Extent of what is taken of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Taken {
-    /// Points, studies that are done or failed with their results, sweeps, measured trades, and estimators.
+    /// Points, runs of models that other programs serve, studies that are done or failed with their results, sweeps, measured trades, and estimators.
     Everything,
-    /// Points alone.
+    /// Points alone, and runs of models that other programs serve.
     Points,
-    /// Results, sweeps and trades without points and estimators: studies say how many points they had, and have none.
+    /// Results, sweeps and trades without points, runs of models and estimators: studies say how many points they had, and have none.
     Results,
 }
 
@@ -27,6 +27,8 @@ pub struct Counted {
 pub struct Merged {
     /// Solved points.
     pub points: Counted,
+    /// Runs of models that other programs serve.
+    pub model_runs: Counted,
     /// Studies that are done or failed.
     pub studies: Counted,
     /// Studies among the new ones that were known here, and hadn't come to this end.

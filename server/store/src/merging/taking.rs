@@ -17,6 +17,10 @@ const STRAIN_FIELDS: &str = "insert into main.strain_fields select * from other.
 const START_STATES: &str = "insert into main.start_states select * from other.start_states
      where key not in (select key from main.start_states)";
 
+/// Runs of models that aren't here, or failed here alone.
+const MODEL_RUNS: &str = "insert or replace into main.model_runs select o.* from other.model_runs o left join main.model_runs m on m.key = o.key
+     where m.key is null or m.outputs is null and o.outputs is not null";
+
 /// Studies that come to an end by what the other database has of them: those that aren't here, and those that are and have none, or failed where they are done there.
 const ENDING: &str = "create temp table ending as
      select o.id, m.id is not null as is_known from other.studies o left join main.studies m on m.id = o.id
@@ -75,6 +79,9 @@ pub(super) async fn take(
     let with_points = taken != Taken::Results;
     if with_points {
         merged.points = points(connection).await?;
+        let new = run(connection, MODEL_RUNS, None).await?;
+        merged.model_runs =
+            counted(connection, "select count(*) from other.model_runs", new).await?;
     }
     if taken != Taken::Points {
         (merged.studies, merged.ended) = studies(connection, with_points).await?;

@@ -1,6 +1,8 @@
-//! A model of somebody else, asked and told: by `strainsite gsa` here, by `/v1/analyses` in `over_http`; and ours, asked by others: `umbridge`.
+//! A model of somebody else, asked and told: by `strainsite gsa` here, by `/v1/analyses` in `over_http`, over UM-Bridge's protocol in `served_models`; and ours, asked by others: `umbridge`.
 
 mod over_http;
+mod served_models;
+mod toy_server;
 mod umbridge;
 
 use std::f64::consts::PI;
