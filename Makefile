@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .SHELLFLAGS := -eu -o pipefail -c
 .PHONY: help run build build-tested build-all check test generate prove audit pictures \
-	test-cargo test-program format clippy house test-unit test-rust verify test-cluster test-conformance test-attacks test-clients test-exports test-schemas test-python test-browser test-web \
+	test-cargo test-program format clippy house test-unit test-rust verify test-cluster test-conformance test-attacks test-clients test-exports test-schemas test-python test-browser test-umbridge test-web \
 	setup-build setup-rust setup-cluster setup-proxy setup-java setup-npm setup-browser setup-python setup-test
 
 TARGET := $(or $(CARGO_TARGET_DIR),target)
@@ -32,7 +32,7 @@ help:
 	@echo "make test    every check and test; a suite alone: test-rust test-cluster test-web test-browser test-conformance test-attacks test-exports test-schemas test-python verify"
 	@echo "make generate   what follows from the program: description of the service, types of its clients, dashboard, schemas, pages"
 	@echo "make pictures   the pictures of the README, drawn anew; VIEWS=--all for every view, into web/screenshots/"
-	@echo "make prove   what takes hours: advisories, generated clients, 200 kills, studies on linear bricks, ten minutes of requests, 10 000 random scenes, the tables of the docs, ten minutes of fuzzing (READER=scene, study, sweep, inputs, values, recording or model)"
+	@echo "make prove   what takes hours: advisories, generated clients, PyPI's umbridge, 200 kills, studies on linear bricks, ten minutes of requests, 10 000 random scenes, the tables of the docs, ten minutes of fuzzing (READER=scene, study, sweep, inputs, values, recording or model)"
 
 run: build
 	$(STRAINSITE) run studies/foot-tire.toml
@@ -77,7 +77,7 @@ generate: build-tested setup-npm setup-python
 # The rigs of lab print the tables of docs/.
 RIGS := $(filter-out random_scenes figure,$(basename $(notdir $(wildcard lab/examples/*.rs lab/examples/*/*.rs))))
 
-prove: setup-rust setup-cluster setup-python build-tested audit test-clients
+prove: setup-rust setup-cluster setup-python build-tested audit test-clients test-umbridge
 	STRAINSITE_KILLS=200 $(CARGO) test $(ALL) --test slow kill
 	$(CARGO) test $(ALL) --test slow five_depth_study -- --ignored
 	$(CARGO) test $(ALL) --test quick ground_profiles -- --ignored
@@ -131,6 +131,10 @@ test-attacks: $(PROGRAM) setup-proxy
 # Clients that generators make of the description. In `make prove`: it takes Java, and packages of 80 MB.
 test-clients: $(PROGRAM) setup-python setup-npm setup-java
 	tests/clients/run
+
+# The package of UM-Bridge's authors as client and as server. In `make prove`: its packages take 90 MB.
+test-umbridge: $(PROGRAM) setup-python
+	tests/umbridge/run
 
 # Exported files, read by pandas, pyarrow and meshio.
 test-exports: $(PROGRAM) setup-python

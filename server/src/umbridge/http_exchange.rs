@@ -208,6 +208,10 @@ fn reply(status: StatusCode, text: &[u8]) -> Result<Reply, String> {
     match document {
         Some(document) if status.is_success() => Ok(Reply::Document(document)),
         _ if status == StatusCode::INTERNAL_SERVER_ERROR => Ok(Reply::Refused(said())),
+        // Who meant to write JSON and failed will fail again at the same point.
+        None if status.is_success() && text.trim_ascii_start().starts_with(b"{") => {
+            Ok(Reply::Refused("its answer isn't JSON".to_owned()))
+        }
         _ => Err(format!("no answer of UM-Bridge's protocol, but {}", said())),
     }
 }
@@ -273,6 +277,11 @@ mod tests {
                 500,
                 "got itself in trouble",
                 "refused: HTTP 500: got itself in trouble",
+            ),
+            (
+                200,
+                " {\"output\": [[1e999]]}",
+                "refused: its answer isn't JSON",
             ),
             (503, error, "away: HTTP 503: "),
             (502, "", "away: HTTP 502"),

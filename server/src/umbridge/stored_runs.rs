@@ -38,6 +38,8 @@ pub(crate) enum Unfinished {
     Away(Away),
     /// The program is to end.
     Stopped,
+    /// The model answered otherwise when it was asked before, a sentence.
+    Changed(String),
     /// The database failed.
     Unstored(StoreError),
     /// A run ended in a panic.
@@ -57,8 +59,8 @@ impl StoredRuns<'_> {
     /// Runs of these points that are stored.
     ///
     /// # Errors
-    /// When the database can't be read.
-    pub(crate) async fn known(&self, points: &Points) -> Result<Runs, StoreError> {
+    /// When one has other outputs than the model has now, or the database can't be read.
+    pub(crate) async fn known(&self, points: &Points) -> Result<Runs, Unfinished> {
         let model = self.model.stored();
         let ids: Vec<usize> = points.keys().copied().collect();
         let keys: Vec<String> = points.values().map(|point| model.key(point)).collect();
@@ -69,7 +71,14 @@ impl StoredRuns<'_> {
             let pairs = ids.iter().copied().zip(outcomes);
             found.extend(pairs.filter_map(|(id, outcome)| Some((id, outcome?))));
         }
-        Ok(found)
+        let outputs: usize = self.model.output_sizes().iter().sum();
+        let mut sizes = found.values().flatten().map(Vec::len);
+        match sizes.find(|size| *size != outputs) {
+            Some(size) => Err(Unfinished::Changed(format!(
+                "the model answered with {size} numbers before, and has {outputs} now: name another database by --db"
+            ))),
+            None => Ok(found),
+        }
     }
 
     /// Asks for these points, and tells `stored` of how many runs are stored. Where the server is away no more points are asked for, and what is asked for already is waited for.

@@ -28,7 +28,7 @@ pub(super) struct Toy {
 struct Shared {
     models: Vec<&'static str>,
     inputs: Vec<usize>,
-    outputs: Vec<usize>,
+    outputs: Mutex<Vec<usize>>,
     answering: Mutex<Answering>,
     /// Times that each point was asked for, by its bits.
     asked: Mutex<BTreeMap<Vec<u64>, usize>>,
@@ -60,7 +60,7 @@ impl Toy {
         let shared = Arc::new(Shared {
             models,
             inputs,
-            outputs,
+            outputs: Mutex::new(outputs),
             answering: Mutex::new(Box::new(|x, _| both(x))),
             asked: Mutex::default(),
         });
@@ -83,6 +83,11 @@ impl Toy {
     /// Answers otherwise from now on.
     pub(super) fn answer(&self, answering: impl Fn(&[f64], usize) -> Answer + Send + 'static) {
         *self.shared.answering.lock().expect("whole") = Box::new(answering);
+    }
+
+    /// Has outputs of these sizes from now on.
+    pub(super) fn resize(&self, outputs: Vec<usize>) {
+        *self.shared.outputs.lock().expect("whole") = outputs;
     }
 
     /// Times that each point was asked for; they are forgotten.
@@ -123,7 +128,7 @@ async fn operation(
     let answer = match operation.as_str() {
         "ModelInfo" => json!({"support": {"Evaluate": true}}),
         "InputSizes" => json!({"inputSizes": shared.inputs}),
-        "OutputSizes" => json!({"outputSizes": shared.outputs}),
+        "OutputSizes" => json!({"outputSizes": *shared.outputs.lock().expect("whole")}),
         "Evaluate" => return evaluate(&shared, &asked).await,
         other => panic!("nobody asks for {other}"),
     };

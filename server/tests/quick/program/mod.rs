@@ -55,6 +55,12 @@ pub async fn stored_trades(database: &Path) -> i64 {
     rows(database, "select count(*) from trades").await
 }
 
+/// Counts the runs of models of a database.
+#[tokio::main(flavor = "current_thread")]
+pub async fn stored_runs(database: &Path) -> i64 {
+    rows(database, "select count(*) from model_runs").await
+}
+
 async fn rows(database: &Path, counting: &'static str) -> i64 {
     use sqlx::Connection;
     let options = SqliteConnectOptions::new()

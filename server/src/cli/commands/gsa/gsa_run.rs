@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use clap::Args;
 use documents::own_model::inputs_document::Inputs;
+use documents::own_model::own_analysis::OwnAnalysis;
 use documents::own_model::value_table::ValueTable;
 use indicatif::ProgressBar;
 use serde_json::{Map, Value};
@@ -13,7 +14,7 @@ use store::Store;
 use tokio::runtime::Runtime;
 use tokio::sync::watch;
 
-use crate::cli::commands::gsa::own_values::{analysed, read_inputs};
+use crate::cli::commands::gsa::own_values::read_inputs;
 use crate::cli::commands::gsa::run_outputs::{Names, names_list, values_csv};
 use crate::cli::commands::gsa::told_indices::tell_indices;
 use crate::cli::terminal::exit::Failure;
@@ -165,7 +166,7 @@ impl Run {
                 true => ValueTable::empty(),
                 false => ValueTable::of_model(&text, &inputs.names).map_err(Failure::Input)?,
             };
-            let analysis = analysed(inputs, &table)?;
+            let analysis = OwnAnalysis::of(inputs, &table).map_err(Failure::Input)?;
             let numbered = analysis.wanted().into_iter().filter_map(|id| {
                 let point = analysis.points().get(id)?;
                 Some((id, point.clone()))
@@ -236,7 +237,7 @@ impl Progress {
             failed => {
                 painted(
                     WARNING,
-                    format!("{failed} failed, of which --again asks once more:"),
+                    format!("{failed} failed; --again asks for these anew:"),
                 ) + "\n"
                     + &reasons
             }
@@ -249,6 +250,7 @@ impl Progress {
         match ended {
             Unfinished::Away(Away(cause)) => Failure::Other(format!("{cause}; {GOES_ON}")),
             Unfinished::Stopped => Failure::Other(format!("stopped on request; {GOES_ON}")),
+            Unfinished::Changed(detail) => Failure::input(detail),
             Unfinished::Unstored(error) => Failure::other(error),
             Unfinished::Broken(error) => Failure::other(error),
         }
