@@ -44,7 +44,7 @@ enum Command {
     /// Serve a study as a model that other programs evaluate, by UM-Bridge's protocol
     #[command(after_help = help_examples::UMBRIDGE)]
     Umbridge(umbridge::Umbridge),
-    /// Analyse a model of your own: print the points to run, then read their outputs back
+    /// Analyse a model of your own: print the points to run, then read their outputs back; or have a server run them
     #[command(after_help = help_examples::GSA)]
     Gsa(gsa::Gsa),
     /// Learn forces from recorded signals, and estimate them

@@ -7,7 +7,7 @@
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
 use std::error::Error;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use http_body_util::{BodyExt, Full, LengthLimitError, Limited};
@@ -28,13 +28,16 @@ const KEPT_ALIVE: Duration = Duration::from_secs(60);
 /// Pause before a question is asked again, which doubles up to the longest.
 const FIRST_PAUSE: Duration = Duration::from_millis(100);
 const LONGEST_PAUSE: Duration = Duration::from_secs(10);
+/// Least time between two lines for people: a hundred questions find a server away at once.
+const SAID_EVERY: Duration = Duration::from_secs(30);
 
 /// Address of a server, and how it is asked.
 pub(crate) struct Exchange {
     client: Client<HttpConnector, Full<Bytes>>,
     url: String,
     manners: Manners,
-    is_away: AtomicBool,
+    /// Time of the last line for people.
+    said: Mutex<Option<Instant>>,
 }
 
 /// Patience with a server.
@@ -89,7 +92,7 @@ impl Exchange {
             client: Client::builder(TokioExecutor::new()).build(connector),
             url: url.to_owned(),
             manners,
-            is_away: AtomicBool::new(false),
+            said: Mutex::default(),
         }
     }
 
@@ -109,23 +112,27 @@ impl Exchange {
         let (mut pause, mut away_since) = (FIRST_PAUSE, None);
         loop {
             let cause = match self.once(operation, body.clone(), most_bytes).await {
-                Ok(reply) => {
-                    self.is_away.store(false, Ordering::Relaxed);
-                    return Ok(reply);
-                }
+                Ok(reply) => return Ok(reply),
                 Err(cause) => format!("{}/{operation}: {cause}", self.url),
             };
-            let patience = self.manners.patience;
             let away_since: Instant = *away_since.get_or_insert_with(Instant::now);
-            if away_since.elapsed() + pause > patience {
+            let left = self.manners.patience.saturating_sub(away_since.elapsed());
+            if left.is_zero() {
                 return Err(Away(cause));
             }
-            if !self.is_away.swap(true, Ordering::Relaxed) {
-                let seconds = patience.as_secs_f64();
-                (self.manners.say)(&format!("{cause}; asking again for {seconds} s\n"));
-            }
-            tokio::time::sleep(pause).await;
+            self.say(&cause);
+            tokio::time::sleep(pause.min(left)).await;
             pause = LONGEST_PAUSE.min(2 * pause);
+        }
+    }
+
+    /// Says that the server is away, unless that was said a moment ago.
+    fn say(&self, cause: &str) {
+        let mut said = self.said.lock().unwrap_or_else(PoisonError::into_inner);
+        if said.is_none_or(|said| said.elapsed() > SAID_EVERY) {
+            let seconds = self.manners.patience.as_secs_f64();
+            (self.manners.say)(&format!("{cause}; asking again for {seconds} s\n"));
+            *said = Some(Instant::now());
         }
     }
 

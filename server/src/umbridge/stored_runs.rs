@@ -52,6 +52,14 @@ impl From<StoreError> for Unfinished {
     }
 }
 
+/// Event while points are asked for.
+pub(crate) enum Seen<'s> {
+    /// Count of the runs that are stored.
+    Stored(usize),
+    /// The server is away, and a count of runs is waited for.
+    Leaving(&'s Away, usize),
+}
+
 /// Run of a point that was asked for.
 type Asked = (usize, Result<Outcome, Away>);
 
@@ -81,14 +89,14 @@ impl StoredRuns<'_> {
         }
     }
 
-    /// Asks for these points, and tells `stored` of how many runs are stored. Where the server is away no more points are asked for, and what is asked for already is waited for.
+    /// Asks for these points, and tells `seen` how far it is. Where the server is away no more points are asked for, and what is asked for already is waited for.
     ///
     /// # Errors
     /// See [`Unfinished`].
     pub(crate) async fn ask(
         &mut self,
         points: &Points,
-        stored: &dyn Fn(usize),
+        seen: &dyn Fn(Seen<'_>),
     ) -> Result<Runs, Unfinished> {
         let (mut running, mut waiting) = (JoinSet::new(), points.iter());
         let (mut runs, mut away) = (Runs::new(), None);
@@ -104,13 +112,17 @@ impl StoredRuns<'_> {
             for (id, run) in self.next(&mut running).await? {
                 match run {
                     Ok(outcome) => drop(come.insert(id, outcome)),
-                    Err(cause) => away = away.or(Some(cause)),
+                    Err(cause) if away.is_none() => {
+                        seen(Seen::Leaving(&cause, running.len()));
+                        away = Some(cause);
+                    }
+                    Err(_) => {}
                 }
             }
             if !come.is_empty() {
                 self.store(points, &come).await?;
                 runs.append(&mut come);
-                stored(runs.len());
+                seen(Seen::Stored(runs.len()));
             } else if running.is_empty() {
                 return away.map_or(Ok(runs), |away| Err(Unfinished::Away(away)));
             }

@@ -26,7 +26,8 @@ pub(crate) const SOLVE: &str = "Examples:
 pub(crate) const GSA: &str = "Examples:
   strainsite gsa plan inputs.toml -o points.csv
   strainsite gsa analyse inputs.toml values.csv --json indices.json
-  strainsite gsa plan inputs.toml --values values.csv";
+  strainsite gsa plan inputs.toml --values values.csv
+  strainsite gsa run inputs.toml --model http://127.0.0.1:4242 --at-once 100";
 
 /// Examples of `gsa plan`.
 pub(crate) const GSA_PLAN: &str = "Examples:

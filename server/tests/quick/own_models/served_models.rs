@@ -382,6 +382,31 @@ fn a_server_that_is_away_is_waited_for_and_nothing_is_lost_when_it_stays_away() 
 }
 
 #[test]
+fn what_is_in_flight_when_the_server_goes_away_is_waited_for() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let (at, toy) = (folder.path(), Toy::start());
+    write_inputs(at, "kind = \"mdrm\"");
+    let slow = |x: &[f64]| x[0] > 2.0;
+    toy.answer(move |x, _| match both(x) {
+        _ if x[1] > 0.0 => reply(503, ""),
+        (status, body, _) if slow(x) => (status, body, Duration::from_millis(300)),
+        at_once => at_once,
+    });
+    let arguments = ["--at-once", "20", "--patience-s", "0"];
+    let ended = run(at, &toy, &arguments);
+    let said = refused(&ended, 1);
+    assert!(
+        said.contains("nothing more is asked for, ") && said.contains(" in flight are waited for"),
+        "{said}"
+    );
+    toy.answer(move |x, _| {
+        assert!(!slow(x) || x[1] > 0.0, "is stored");
+        both(x)
+    });
+    done(&run(at, &toy, &arguments));
+}
+
+#[test]
 fn a_run_that_takes_too_long_is_none() {
     let folder = tempfile::tempdir().expect("temp dir");
     let (at, toy) = (folder.path(), Toy::start());

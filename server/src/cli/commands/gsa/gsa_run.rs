@@ -11,6 +11,7 @@ use documents::own_model::value_table::ValueTable;
 use indicatif::ProgressBar;
 use serde_json::{Map, Value};
 use store::Store;
+use store::points::model_runs::Outcome;
 use tokio::runtime::Runtime;
 use tokio::sync::watch;
 
@@ -27,7 +28,7 @@ use crate::cli::terminal::signals::Signals;
 use crate::config::{patience, seconds};
 use crate::umbridge::asked_model::{AskedModel, NoModel};
 use crate::umbridge::http_exchange::{Away, Exchange, Manners, server_url};
-use crate::umbridge::stored_runs::{Points, Runs, StoredRuns, Unfinished};
+use crate::umbridge::stored_runs::{Points, Runs, Seen, StoredRuns, Unfinished};
 
 /// Plan, run a model that a server has by UM-Bridge's protocol, and analyse; given again it goes on where it was
 #[derive(Debug, Args)]
@@ -76,6 +77,8 @@ pub(crate) struct Run {
 
 /// Time that an analysis which goes on has to end by itself after a signal.
 const GRACE: Duration = Duration::from_secs(2);
+/// End of a sentence about a command that didn't come to its end.
+const GOES_ON: &str = "all answers so far are stored: the same command goes on";
 /// Failed runs whose reasons are told.
 const TOLD: usize = 2;
 
@@ -172,18 +175,19 @@ impl Run {
                 Some((id, point.clone()))
             });
             let points: Points = numbered.collect();
-            if let Some(found) = analysis.found().filter(|_| points.is_empty()) {
+            if points.is_empty() {
                 if let Some(path) = &self.values {
                     write(path, text.as_bytes())?;
                 }
                 bar.finish_and_clear();
                 warn(&so_far.said());
-                return tell_indices(&analysis, found, self.json.as_ref());
+                return match analysis.found() {
+                    Some(found) => tell_indices(&analysis, found, self.json.as_ref()),
+                    None => Err(Failure::Other(analysis.advice().unwrap_or_default())),
+                };
             }
             let round = self.round(&mut so_far, points, &mut asking, bar);
-            runtime
-                .block_on(round)
-                .map_err(|ended| so_far.ended(ended))?;
+            runtime.block_on(round).map_err(failure)?;
         }
     }
 
@@ -204,9 +208,18 @@ impl Run {
         so_far.runs.append(&mut known);
         let before = so_far.runs.len();
         let all = before + points.len();
-        let mut asked = asking
-            .ask(&points, &|stored| count(bar, before + stored, all))
-            .await?;
+        let seen = |seen: Seen<'_>| {
+            match seen {
+            Seen::Stored(stored) => count(bar, before + stored, all),
+            Seen::Leaving(_, 0) => {}
+            Seen::Leaving(Away(cause), in_flight) => bar.suspend(|| {
+                warn(&format!(
+                    "{cause}; nothing more is asked for, {in_flight} runs in flight are waited for\n"
+                ));
+            }),
+        }
+        };
+        let mut asked = asking.ask(&points, &seen).await?;
         so_far.runs.append(&mut asked);
         Ok(())
     }
@@ -215,45 +228,32 @@ impl Run {
 impl Progress {
     /// Count of the runs, and the reasons why some failed.
     fn said(&self) -> String {
-        let all = self.runs.len();
         let known = match self.known {
             0 => String::new(),
             known => format!(", {known} of them known before"),
         };
-        let failed = self
-            .runs
-            .iter()
-            .filter_map(|(id, outcome)| Some((id, outcome.as_ref().err()?)));
-        let failed: Vec<String> = failed
-            .map(|(id, reason)| format!("point {id}: {reason}"))
-            .collect();
-        let reasons: String = failed
-            .iter()
-            .take(TOLD)
-            .map(|reason| format!("- {reason}\n"))
-            .collect();
-        let failed = match failed.len() {
-            0 => String::new(),
-            failed => {
-                painted(
-                    WARNING,
-                    format!("{failed} failed; --again asks for these anew:"),
-                ) + "\n"
-                    + &reasons
-            }
+        let reason = |(id, outcome): (&usize, &Outcome)| {
+            let reason = outcome.as_ref().err()?;
+            Some(format!("- point {id}: {reason}\n"))
         };
-        format!("{all} runs{known}\n{failed}")
-    }
-
-    fn ended(&self, ended: Unfinished) -> Failure {
-        const GOES_ON: &str = "all answers so far are stored: the same command goes on";
-        match ended {
-            Unfinished::Away(Away(cause)) => Failure::Other(format!("{cause}; {GOES_ON}")),
-            Unfinished::Stopped => Failure::Other(format!("stopped on request; {GOES_ON}")),
-            Unfinished::Changed(detail) => Failure::input(detail),
-            Unfinished::Unstored(error) => Failure::other(error),
-            Unfinished::Broken(error) => Failure::other(error),
+        let reasons: Vec<String> = self.runs.iter().filter_map(reason).collect();
+        let mut text = format!("{} runs{known}\n", self.runs.len());
+        if !reasons.is_empty() {
+            let failed = format!("{} failed; --again asks for these anew:", reasons.len());
+            text += &format!("{}\n", painted(WARNING, failed));
+            text.extend(reasons.into_iter().take(TOLD));
         }
+        text
+    }
+}
+
+fn failure(ended: Unfinished) -> Failure {
+    match ended {
+        Unfinished::Away(Away(cause)) => Failure::Other(format!("{cause}; {GOES_ON}")),
+        Unfinished::Stopped => Failure::Other(format!("stopped on request; {GOES_ON}")),
+        Unfinished::Changed(detail) => Failure::input(detail),
+        Unfinished::Unstored(error) => Failure::other(error),
+        Unfinished::Broken(error) => Failure::other(error),
     }
 }
 
@@ -264,7 +264,9 @@ fn stopping(runtime: &Runtime) -> Result<watch::Receiver<bool>, Failure> {
     runtime.spawn(async move {
         signals.next().await;
         sender.send_replace(true);
-        let _ = tokio::time::timeout(GRACE, signals.next()).await;
+        if tokio::time::timeout(GRACE, signals.next()).await.is_err() {
+            warn(&format!("stopped on request; {GOES_ON}\n"));
+        }
         std::process::exit(1);
     });
     Ok(receiver)

@@ -21,7 +21,7 @@ use crate::cli::terminal::files::Files;
 use crate::cli::terminal::help_examples;
 use crate::cli::terminal::output::JsonTarget;
 
-/// Analyse a model of your own: print the points to run, then read their outputs back
+/// Analyse a model of your own: print the points to run, then read their outputs back; or have a server run them
 #[derive(Debug, Args)]
 pub struct Gsa {
     #[command(subcommand)]
