@@ -7,6 +7,8 @@ use serde::Serialize;
 pub enum Taken {
     /// Points, runs of models that other programs serve, studies that are done or failed with their results, sweeps, measured trades, and estimators.
     Everything,
+    /// Points, and studies that are done or failed with their results: what a machine hands in that was asked for these.
+    Solved,
     /// Points alone, and runs of models that other programs serve.
     Points,
     /// Results, sweeps and trades without points, runs of models and estimators: studies say how many points they had, and have none.

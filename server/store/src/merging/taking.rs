@@ -76,15 +76,20 @@ pub(super) async fn take(
     taken: Taken,
 ) -> Result<Merged, StoreError> {
     let mut merged = Merged::default();
+    let is = |any: &[Taken]| any.contains(&taken);
     let with_points = taken != Taken::Results;
     if with_points {
         merged.points = points(connection).await?;
+    }
+    if is(&[Taken::Everything, Taken::Points]) {
         let new = run(connection, MODEL_RUNS, None).await?;
         merged.model_runs =
             counted(connection, "select count(*) from other.model_runs", new).await?;
     }
     if taken != Taken::Points {
         (merged.studies, merged.ended) = studies(connection, with_points).await?;
+    }
+    if is(&[Taken::Everything, Taken::Results]) {
         let new = run(connection, SWEEPS, None).await?;
         run(connection, SWEEP_DESIGNS, None).await?;
         merged.sweeps = counted(connection, "select count(*) from other.sweeps", new).await?;

@@ -108,20 +108,20 @@ echo "$name" > last
     program(at, "sbatch", &[READ, limit, DO].concat());
     program(at, "scontrol", "echo 'MaxArraySize            = 1001'");
     program(at, "scancel", r#"echo "$*" >> cancelled"#);
-    // Once it doesn't answer, then it has a job twice, then none.
+    // Once it doesn't answer, then it has a job twice and one that it won't start, then none.
     program(
         at,
         "squeue",
         r#"echo asked >> asked
 case $(wc -l < asked) in
 1) echo "squeue: error: Unable to contact slurm controller (connect failure)" >&2; exit 1 ;;
-2) echo "$(cat last)|7|RUNNING|None"; echo "$(cat last)|9|PENDING|Resources" ;;
+2) echo "$(cat last)|7|1|RUNNING|None"; echo "$(cat last)|9|1|PENDING|Resources"; echo "$(cat last)|7|2|PENDING|launch failed requeued held" ;;
 esac"#,
     );
     let output = swept(at, &new(at), &["--engine", "slurm"]);
     has_all(&output);
     assert_eq!(lines(at, "submitted"), ["3", "2", "1", "1", "1"]);
-    assert_eq!(lines(at, "cancelled"), ["9"]);
+    assert_eq!(lines(at, "cancelled"), ["9", "7_2"]);
     let said = text(&output.stderr);
     assert!(
         said.contains("connect failure") && said.contains("waiting until it answers"),
@@ -140,7 +140,7 @@ fn what_was_submitted_when_the_program_was_killed_is_found_again() {
     // The job runs while it is asked for the second time.
     let queue = r#"echo asked >> asked
 [ "$(wc -l < asked)" -gt 2 ] && exit
-echo "$(cat last)|7|RUNNING|None"
+echo "$(cat last)|7|1|RUNNING|None"
 [ "$(wc -l < asked)" = 2 ] || exit 0
 dir=$(cat dir) wrap=$(cat wrap) count=3
 "#;

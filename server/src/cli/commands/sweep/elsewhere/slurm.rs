@@ -27,6 +27,8 @@ pub(super) struct Slurm {
 struct Job {
     name: String,
     array: u64,
+    /// Place in the array.
+    index: String,
     is_waiting: bool,
     reason: String,
 }
@@ -142,7 +144,7 @@ fn jobs(submission: &Submission) -> Result<Vec<Job>, String> {
     }
     let mut squeue = quiet("squeue");
     squeue
-        .args(["--noheader", "--array", "--format=%j|%F|%T|%r"])
+        .args(["--noheader", "--array", "--format=%j|%F|%K|%T|%r"])
         .arg(format!("--name={}", submission.names()));
     Ok(said(&mut squeue)?.lines().filter_map(Job::read).collect())
 }
@@ -161,11 +163,13 @@ fn jobs_in_time(submission: &Submission) -> Result<Vec<Job>, Failure> {
 
 impl Job {
     fn read(line: &str) -> Option<Self> {
-        let mut parts = line.splitn(4, '|');
-        let (name, array, state) = (parts.next()?, parts.next()?, parts.next()?);
+        let mut parts = line.splitn(5, '|');
+        let (name, array) = (parts.next()?, parts.next()?);
+        let (index, state) = (parts.next()?, parts.next()?);
         Some(Self {
             name: name.to_owned(),
             array: array.trim().parse().ok()?,
+            index: index.trim().to_owned(),
             is_waiting: [
                 "PENDING",
                 "CONFIGURING",
@@ -179,6 +183,9 @@ impl Job {
     }
 }
 
+/// Reason of a job that Slurm couldn't start, and won't try again until somebody says so: what a controller that lost its memory leaves.
+const NOT_LAUNCHED: &str = "launch failed";
+
 /// Arrays that were submitted once more under a name: all but the first.
 fn doubled(jobs: &[Job]) -> BTreeSet<u64> {
     let mut by_name: BTreeMap<&str, BTreeSet<u64>> = BTreeMap::new();
@@ -191,11 +198,10 @@ fn doubled(jobs: &[Job]) -> BTreeSet<u64> {
     further.collect()
 }
 
-fn end(arrays: impl IntoIterator<Item = u64>) -> Result<(), String> {
-    let arrays: Vec<String> = arrays.into_iter().map(|array| array.to_string()).collect();
-    match arrays.is_empty() {
+fn end(jobs: BTreeSet<String>) -> Result<(), String> {
+    match jobs.is_empty() {
         true => Ok(()),
-        false => said(quiet("scancel").args(arrays)).map(drop),
+        false => said(quiet("scancel").args(jobs)).map(drop),
     }
 }
 
@@ -212,9 +218,16 @@ impl Engine for Slurm {
         let mut submission = Submission::of(work.folder).map_err(text)?;
         let jobs = jobs(&submission)?;
         let twice = doubled(&jobs);
-        end(twice.iter().copied())?;
+        end(twice.iter().map(u64::to_string).collect())?;
+        // The next round has what these would have done.
+        let is_lost = |job: &Job| job.is_waiting && job.reason.contains(NOT_LAUNCHED);
+        let lost = jobs.iter().filter(|job| is_lost(job));
+        end(lost
+            .map(|job| format!("{}_{}", job.array, job.index))
+            .collect())?;
         let mut standing = Standing::default();
-        for job in jobs.iter().filter(|job| !twice.contains(&job.array)) {
+        let stand = |job: &&Job| !twice.contains(&job.array) && !is_lost(job);
+        for job in jobs.iter().filter(stand) {
             match job.is_waiting {
                 true => standing.waiting += 1,
                 false => standing.running += 1,
@@ -236,10 +249,8 @@ impl Engine for Slurm {
         let ended = Submission::of(work.folder)
             .map_err(|failure| failure.to_string())
             .and_then(|submission| {
-                end(jobs(&submission)?
-                    .iter()
-                    .map(|job| job.array)
-                    .collect::<BTreeSet<_>>())
+                let arrays = jobs(&submission)?.into_iter().map(|job| job.array);
+                end(arrays.map(|array| array.to_string()).collect())
             });
         if let Err(words) = ended {
             warn(&format!(
@@ -256,7 +267,7 @@ mod tests {
 
     #[test]
     fn what_was_submitted_twice_is_told_by_its_name() {
-        let lines = "a.1|17|RUNNING|None\na.1|17|PENDING|Resources\na.1|21|PENDING|Priority\na.5|18|PENDING|ReqNodeNotAvail, UnavailableNodes:v1|2\n\nodd";
+        let lines = "a.1|17|1|RUNNING|None\na.1|17|2|PENDING|Resources\na.1|21|1|PENDING|Priority\na.5|18|4|PENDING|ReqNodeNotAvail, UnavailableNodes:v1|2\n\nodd";
         let jobs: Vec<Job> = lines.lines().filter_map(Job::read).collect();
         assert_eq!(jobs.len(), 4);
         assert_eq!(jobs[3].reason, "ReqNodeNotAvail, UnavailableNodes:v1|2");

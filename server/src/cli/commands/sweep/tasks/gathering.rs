@@ -200,7 +200,7 @@ async fn merged(
     if let Some(because) = doubt(head, &whole, task, solver).await? {
         return Ok(Err(because));
     }
-    match head.take(&whole, Taken::Everything).await {
+    match head.take(&whole, Taken::Solved).await {
         Ok(merged) => Ok(Ok(merged)),
         Err(error @ StoreError::Merge { .. }) => Ok(Err(error.to_string())),
         Err(error) => Err(error),
