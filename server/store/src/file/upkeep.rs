@@ -57,23 +57,15 @@ pub async fn inspect(
     found.faults.extend(damages);
     found.faults.extend(dangling(connection).await?);
     for (table, keys) in tables {
-        for key in keys {
-            let read = match table {
-                "evaluations" => evaluations::find(connection, &[key]).await.err(),
-                "model_runs" => model_runs::find(connection, &[key]).await.err(),
-                "start_states" => evaluations::find_start(connection, &key).await.err(),
-                "results" => result_rows::check(connection, &key).await.err(),
-                "studies" => check_study(connection, &key).await.err(),
-                "sweeps" => check_sweep(connection, &key).await.err(),
-                "estimators" => estimator_rows::check(connection, &key).await.err(),
-                _ => trades::newest(connection, &key).await.err(),
-            };
-            match read {
-                Some(error @ StoreError::Damaged { .. }) => found.faults.push(error.to_string()),
-                Some(error) => return Err(error),
-                None => {}
+        for keys in keys.chunks(AT_ONCE) {
+            // Of many rows at once only the first that is damaged is told.
+            if !are_whole(connection, table, keys).await? {
+                for key in keys {
+                    let read = read(connection, table, key).await;
+                    found.faults.extend(damage(read)?);
+                }
             }
-            done += 1;
+            done += keys.len();
             seen(done, of);
         }
     }
@@ -94,6 +86,47 @@ const KEYED: [(&str, &str); 8] = [
     ("estimators", "select id from estimators"),
     ("trades", "select distinct spec_sha256 from trades"),
 ];
+
+/// Rows of a table that are read at once, where that can be done: each question takes a tenth of a millisecond beside what it reads.
+const AT_ONCE: usize = 64;
+
+/// Whether rows that can be read at once are whole; false where they can't.
+async fn are_whole(
+    connection: &mut SqliteConnection,
+    table: &str,
+    keys: &[String],
+) -> Result<bool, StoreError> {
+    let read = match table {
+        "evaluations" => evaluations::find(connection, keys).await.map(drop),
+        "model_runs" => model_runs::find(connection, keys).await.map(drop),
+        _ => return Ok(false),
+    };
+    damage(read).map(|damage| damage.is_none())
+}
+
+/// Reads a row, and compares it with its hash.
+async fn read(connection: &mut SqliteConnection, table: &str, key: &str) -> Result<(), StoreError> {
+    let one = || [key.to_owned()];
+    match table {
+        "evaluations" => evaluations::find(connection, &one()).await.map(drop),
+        "model_runs" => model_runs::find(connection, &one()).await.map(drop),
+        "start_states" => evaluations::find_start(connection, key).await.map(drop),
+        "results" => result_rows::check(connection, key).await,
+        "studies" => check_study(connection, key).await,
+        "sweeps" => check_sweep(connection, key).await,
+        "estimators" => estimator_rows::check(connection, key).await,
+        _ => trades::newest(connection, key).await.map(drop),
+    }
+}
+
+/// Words for a row that is damaged; other failures stay.
+fn damage(read: Result<(), StoreError>) -> Result<Option<String>, StoreError> {
+    match read {
+        Ok(()) => Ok(None),
+        Err(error @ StoreError::Damaged { .. }) => Ok(Some(error.to_string())),
+        Err(error) => Err(error),
+    }
+}
 
 /// Checks its document, and which evaluations are its points.
 async fn check_study(connection: &mut SqliteConnection, id: &str) -> Result<(), StoreError> {
