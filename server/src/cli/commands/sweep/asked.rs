@@ -1,10 +1,12 @@
 //! Sweep that a command is about: a study over a grid, stored when it is new, or one of the database.
 
 use std::path::PathBuf;
+use std::sync::atomic::AtomicBool;
 
 use clap::Args;
 use documents::study::Study;
 use documents::sweep::{self as placed, Design, Sweep as Plan, sweep_of, typed_grid};
+use placement::points::worker_threads::in_parallel;
 use serde_json::{Map, json};
 use tokio::runtime::Runtime;
 
@@ -86,7 +88,7 @@ impl Asked {
         there: u64,
     ) -> Result<SweepRow, Failure> {
         let admit_all = |designs: &[Design]| {
-            designs.iter().try_for_each(|design| {
+            let admitted = |design: &Design| {
                 let admitted = async {
                     let planned = plan_study(&design.study).await?;
                     admit(&engine.solver, engine.threads, there, &planned).await
@@ -94,7 +96,12 @@ impl Asked {
                 runtime
                     .block_on(admitted)
                     .map_err(|error| Failure::input(format!("{}: {error}", design.name)))
-            })
+            };
+            let never = AtomicBool::new(false);
+            let all = in_parallel(designs.len(), engine.threads, &never, |i| {
+                admitted(&designs[i])
+            });
+            all.into_iter().flatten().collect::<Result<(), Failure>>()
         };
         let Some(plan) = plan else {
             let wanted = self.resume.as_deref().unwrap_or_default();

@@ -12,6 +12,7 @@ use fem_client::solver::Solver;
 use indicatif::ProgressBar;
 use placement::estimate::Workload;
 use placement::points::Event;
+use placement::points::worker_threads::in_parallel;
 use tokio::runtime::Handle;
 
 use crate::cli::terminal::exit::Failure;
@@ -39,7 +40,9 @@ impl Crew<'_> {
     pub fn run(&self, designs: &[DesignRow], bar: &ProgressBar) -> Result<bool, Failure> {
         let open: Vec<&DesignRow> = designs.iter().filter(|d| !d.study.ended()).collect();
         let solver = self.engine.solver.as_ref();
-        let works: Vec<Option<Workload>> = open.iter().map(|d| workload(d, solver)).collect();
+        let Some(works) = workloads(&open, solver, self.engine.threads, self.stop) else {
+            return Ok(false);
+        };
         let groups = grouped(works.iter().map(keys));
         let at_once = self.at_once(&works, groups.len());
         let progress = Progress::new(bar, designs.len(), open.len());
@@ -116,10 +119,18 @@ impl Crew<'_> {
     }
 }
 
-/// Returns what a design asks of a solver; what can't be planned fails by itself.
-pub(super) fn workload(design: &DesignRow, solver: &dyn Solver) -> Option<Workload> {
-    let planned = stored_plan(&design.study).ok()?;
-    Some(Workload::of(&planned, solver))
+/// Returns what designs ask of a solver; what can't be planned fails by itself. Nothing when it is stopped meanwhile.
+pub(super) fn workloads(
+    designs: &[&DesignRow],
+    solver: &dyn Solver,
+    threads: usize,
+    stop: &AtomicBool,
+) -> Option<Vec<Option<Workload>>> {
+    let workload = |design: &DesignRow| {
+        let planned = stored_plan(&design.study).ok()?;
+        Some(Workload::of(&planned, solver))
+    };
+    in_parallel(designs.len(), threads, stop, |i| workload(designs[i]))
 }
 
 pub(super) fn keys(work: &Option<Workload>) -> Vec<String> {

@@ -17,7 +17,7 @@ use crate::cli::commands::compare::table;
 use crate::cli::commands::sweep::asked::Asked;
 use crate::cli::commands::sweep::designs::Crew;
 use crate::cli::commands::sweep::elsewhere::{Elsewhere, Rounds};
-use crate::cli::commands::sweep::tasks::packing::lacking;
+use crate::cli::commands::sweep::tasks::packing::Packer;
 use crate::cli::solver_option::SolverOption;
 use crate::cli::terminal::estimate_text::{dry_sweep, estimated};
 use crate::cli::terminal::exit::Failure;
@@ -32,7 +32,7 @@ use service::engine::Engine;
 use service::forecast::forecast_sweep;
 use service::queue::recover;
 use service::queue::sweeps::designs_of;
-use service::wire::sweep_wire::SweepDetail;
+use service::wire::sweep_wire::{DesignEstimate, SweepDetail};
 use store::queue::sweep_rows::SweepRow;
 
 /// Run one study over a grid of designs, and compare them
@@ -83,6 +83,7 @@ impl Sweep {
                 let sweep = self.with_engine(&runtime, asked)?;
                 self.rounds(&runtime, &sweep, &stop)?
                     .solve(other.as_mut())?;
+                self.elsewhere.tidy(&self.config.db);
                 self.with_engine(&runtime, |engine| solved(engine, &sweep))?
             }
         };
@@ -110,10 +111,11 @@ impl Sweep {
         if let Some(target) = &self.json {
             target.write(&estimate)?;
         }
-        tell(
-            &dry_sweep(&plan.name, threads, &estimate),
-            self.json.as_ref(),
-        )
+        let expected = |design: &DesignEstimate| Some(design.estimate.wall_s.as_ref()?.expected);
+        let designs_s: Option<Vec<f64>> = estimate.designs.iter().map(expected).collect();
+        let tasks = designs_s.map_or(String::new(), |all| self.elsewhere.foreseen(&all));
+        let text = dry_sweep(&plan.name, threads, &estimate) + &tasks;
+        tell(&text, self.json.as_ref())
     }
 
     /// Opens the database for a piece of work, and closes it whatever comes of that.
@@ -163,7 +165,13 @@ impl Sweep {
             solver: self.solver.solver().map_err(Failure::other)?,
             lacking: Box::new(move |minutes| {
                 self.with_engine(runtime, |engine| {
-                    lacking(runtime, engine, &sweep.id, minutes, stop)
+                    let packer = Packer {
+                        runtime,
+                        engine,
+                        minutes,
+                        stop,
+                    };
+                    packer.pack(&sweep.id)
                 })
             }),
             minutes: self.elsewhere.minutes(),

@@ -25,6 +25,10 @@ fn a_sweep_runs_its_designs_gives_the_table_and_is_extended_without_repeating_an
         "{}",
         text(&dry.stdout)
     );
+    let elsewhere = ["sweep", study, "--dry-run", "--engine", "slurm"];
+    let elsewhere = run(&[&elsewhere[..], &grid].concat());
+    let said = text(&elsewhere.stdout);
+    assert!(said.contains("other machines: 1, the longest"), "{said}");
     assert!(!folder.path().join("strainsite.db").exists());
 
     let ran = run(&[

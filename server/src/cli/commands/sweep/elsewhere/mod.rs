@@ -16,6 +16,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 
+use crate::cli::commands::sweep::tasks::packing::packed;
 use crate::cli::terminal::exit::Failure;
 use crate::config::minutes;
 use engine::Engine;
@@ -23,11 +24,14 @@ use own_command::OwnCommand;
 pub(super) use rounds::Rounds;
 use slurm::Slurm;
 
+/// Numbers of machines of which a dry run speaks.
+const MACHINES: [usize; 4] = [1, 4, 16, 64];
+
 /// Machines that solve designs, as the command line names them.
 #[derive(Debug, Args)]
 pub(super) struct Elsewhere {
     /// Have other machines solve the designs before what is left is solved here
-    #[arg(long, value_enum, value_name = "NAME", conflicts_with = "dry_run")]
+    #[arg(long, value_enum, value_name = "NAME")]
     engine: Option<EngineName>,
     /// Options of sbatch, separated by spaces, as in "--partition=short --mem=2G"
     #[arg(
@@ -81,6 +85,31 @@ impl Elsewhere {
         Ok(Some(engine))
     }
 
+    /// A line about the tasks of designs that take so long each on this machine, s, one after the other, and about machines like this one; none where no engine is asked for.
+    pub(super) fn foreseen(&self, designs_s: &[f64]) -> String {
+        if !self.is_asked() {
+            return String::new();
+        }
+        let alone = (0..designs_s.len()).map(|design| vec![design]).collect();
+        let tasks = packed(alone, |design| designs_s[design], 60.0 * self.minutes);
+        let tasks_s: Vec<f64> = tasks
+            .iter()
+            .map(|task| task.iter().map(|&design| designs_s[design]).sum())
+            .collect();
+        let longest_s = tasks_s.iter().copied().fold(0.0, f64::max);
+        let all_s: f64 = tasks_s.iter().sum();
+        // No machine is done before a task of it is, nor all of them before the work is.
+        let by_machines = MACHINES.map(|count| {
+            let time_s = (all_s / count as f64).max(longest_s);
+            format!("{count}: {time_s:.0} s")
+        });
+        format!(
+            "tasks for other machines: {}, the longest {longest_s:.0} s; on so many like this one they take {}, and what they wait for\n",
+            tasks_s.len(),
+            by_machines.join(", ")
+        )
+    }
+
     /// Time that a task should take, minutes.
     pub(super) fn minutes(&self) -> f64 {
         self.minutes
@@ -88,11 +117,20 @@ impl Elsewhere {
 
     /// Folder of a sweep's rounds.
     pub(super) fn folder(&self, database: &Path, sweep: &str) -> PathBuf {
-        let beside = || {
-            let mut name = database.as_os_str().to_owned();
-            name.push(".tasks");
-            PathBuf::from(name)
-        };
-        self.tasks.clone().unwrap_or_else(beside).join(sweep)
+        let tasks = self.tasks.clone();
+        tasks.unwrap_or_else(|| beside(database)).join(sweep)
     }
+
+    /// Removes the folder beside the database when nothing is left in it; one that the user named stays.
+    pub(super) fn tidy(&self, database: &Path) {
+        // What holds rounds isn't empty.
+        let _ = std::fs::remove_dir(beside(database));
+    }
+}
+
+/// Folder of all tasks of a database, where the user names none.
+fn beside(database: &Path) -> PathBuf {
+    let mut name = database.as_os_str().to_owned();
+    name.push(".tasks");
+    PathBuf::from(name)
 }

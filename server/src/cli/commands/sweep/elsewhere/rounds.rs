@@ -90,15 +90,14 @@ impl Rounds<'_> {
             ));
             return Ok(());
         }
-        // Nothing of it is needed once it is in the database; the folder of all sweeps goes when it is empty.
+        // Nothing of it is needed once it is in the database.
         let _ = fs::remove_dir_all(&self.folder);
-        let _ = self.folder.parent().map(fs::remove_dir);
         Ok(())
     }
 
     /// Writes the next round, whole or not at all; none when nothing is lacking.
     fn made(&self, number: usize, minutes: f64) -> Result<Option<Round>, Failure> {
-        let given = (self.lacking)(minutes)?;
+        let given = (self.lacking)(minutes).map_err(|failure| self.resumable(&failure))?;
         if given.is_empty() {
             return Ok(None);
         }

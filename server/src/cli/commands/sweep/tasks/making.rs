@@ -7,7 +7,7 @@ use clap::Args;
 use serde::Serialize;
 use tokio::runtime::Runtime;
 
-use super::packing::{lacking, write};
+use super::packing::{Packer, write};
 use super::task_folder::{Task, TaskFolder, Tasks};
 use crate::cli::commands::sweep::asked::Asked;
 use crate::cli::solver_option::SolverOption;
@@ -75,14 +75,19 @@ impl Make {
         let (there, stop) = (self.config.memory_bytes(), stop_flag(&runtime)?);
         let stored = self.asked.stored(&runtime, &engine, plan.as_ref(), there);
         let given = stored.and_then(|sweep| {
-            let given = lacking(&runtime, &engine, &sweep.id, self.minutes, &stop)?;
-            Ok((sweep.id, given))
+            let packer = Packer {
+                runtime: &runtime,
+                engine: &engine,
+                minutes: self.minutes,
+                stop: &stop,
+            };
+            Ok((packer.pack(&sweep.id)?, sweep.id))
         });
         let closed = runtime.block_on(engine.store.close());
         let version = engine.solver.version();
         // The lock on the database goes with the store.
         drop(engine);
-        let (sweep, given) = given?;
+        let (given, sweep) = given?;
         closed.map_err(Failure::other)?;
         let (folder, tasks, program) = write(
             &runtime,

@@ -9,7 +9,7 @@ use placement::sharing::{LARGE, Part, SMALLEST, is_shareable};
 use tokio::runtime::Runtime;
 
 use super::task_folder::{Task, TaskFolder, Tasks};
-use crate::cli::commands::sweep::designs::{grouped, keys, workload};
+use crate::cli::commands::sweep::designs::{grouped, keys, workloads};
 use crate::cli::terminal::exit::Failure;
 use service::engine::Engine;
 use service::forecast::forecast_designs;
@@ -18,7 +18,9 @@ use service::study_document::stored_plan;
 use store::StoreError;
 use store::merging::target::Merging;
 use store::points::evaluations;
-use store::queue::study_rows::StudyRow;
+use store::queue::sweep_rows::DesignRow;
+
+const STOPPED: &str = "stopped on request";
 
 /// Task with the points that its designs would ask for and that are known here.
 pub(crate) struct Given {
@@ -26,122 +28,160 @@ pub(crate) struct Given {
     known: Vec<String>,
 }
 
-/// Work that a sweep lacks, as tasks of so many minutes: designs without a result, those that share points together, and parts of those that lack many points. What such a part starts
-/// from is solved first.
-///
-/// # Errors
-/// When the database can't be read or written, or the user stops it.
-pub(crate) fn lacking(
-    runtime: &Runtime,
-    engine: &Engine,
-    sweep: &str,
-    minutes: f64,
-    stop: &AtomicBool,
-) -> Result<Vec<Given>, Failure> {
-    let designs = runtime.block_on(designs_of(&engine.store, sweep));
-    let mut designs = designs.map_err(Failure::other)?;
-    designs.retain(|design| !design.study.ended());
-    let solver = engine.solver.as_ref();
-    let works: Vec<Option<Workload>> = designs
-        .iter()
-        .map(|design| workload(design, solver))
-        .collect();
-    let forecast = forecast_designs(&engine.store, &engine.solver, engine.threads, &works);
-    let (expected, known) = runtime.block_on(forecast).map_err(Failure::other)?;
-    let most_s = 60.0 * minutes;
-    let (mut whole, mut parts) = (Vec::new(), Vec::new());
-    for design in 0..designs.len() {
-        let lacks = |work: &Workload| work.keys().filter(|key| !known.contains(*key)).count();
-        let lacking = works[design].as_ref().map(lacks);
-        let has = works[design].iter().flat_map(Workload::keys).count() - lacking.unwrap_or(0);
-        match lacking {
-            // A little is left, or nothing but to analyse it: sending its points away again would take longer.
-            Some(lacking) if lacking == 0 || (lacking < LARGE && has >= LARGE) => {}
-            Some(lacking) if lacking >= LARGE => {
-                let study = &designs[design].study;
-                let most = (expected[design].unwrap_or(f64::INFINITY) / most_s).ceil();
-                let of = (lacking / SMALLEST).min(most as usize);
-                match of > 1 && is_large(study)? {
-                    true => parts.extend(parts_of(
-                        runtime,
-                        engine,
-                        study,
-                        expected[design],
-                        of,
-                        stop,
-                    )?),
-                    false => whole.push(design),
-                }
+/// Packer of what a sweep lacks.
+pub(crate) struct Packer<'p> {
+    pub runtime: &'p Runtime,
+    pub engine: &'p Engine,
+    /// Time that a task should take on this machine's threads, minutes.
+    pub minutes: f64,
+    pub stop: &'p AtomicBool,
+}
+
+/// Designs without a result, with what they ask of a solver.
+struct Lacking {
+    designs: Vec<DesignRow>,
+    works: Vec<Option<Workload>>,
+    /// Times that they are expected to take, s.
+    expected: Vec<Option<f64>>,
+    /// Keys of their points that are known here.
+    known: HashSet<String>,
+}
+
+/// Way in which a design goes to other machines.
+enum Share {
+    /// Design that stays here.
+    None,
+    /// Design among the others of a task.
+    Whole,
+    /// Parts of its points, so many.
+    Parts(usize),
+}
+
+impl Packer<'_> {
+    /// Packs what a sweep lacks: designs without a result, those that share points together, and parts of those that lack many points. What such a part starts from is
+    /// solved first.
+    ///
+    /// # Errors
+    /// When the database can't be read or written, or the user stops it.
+    pub(crate) fn pack(&self, sweep: &str) -> Result<Vec<Given>, Failure> {
+        let lacking = self.lacking(sweep)?;
+        let (mut whole, mut parts) = (Vec::new(), Vec::new());
+        for design in 0..lacking.designs.len() {
+            match lacking.share(design, self.most_s())? {
+                Share::None => {}
+                Share::Whole => whole.push(design),
+                Share::Parts(of) => parts.extend(self.parts(&lacking, design, of)?),
             }
-            _ => whole.push(design),
         }
+        // What nobody can estimate is a task of its own.
+        let time_s = |place: usize| lacking.expected[whole[place]].unwrap_or(self.most_s());
+        let groups = grouped(whole.iter().map(|&design| keys(&lacking.works[design])));
+        let tasks = packed(groups, time_s, self.most_s()).into_iter();
+        let tasks = tasks.map(|task| {
+            let designs: Vec<usize> = task.into_iter().map(|place| whole[place]).collect();
+            lacking.given(&designs)
+        });
+        Ok(tasks.chain(parts).collect())
     }
-    // What nobody can estimate is a task of its own.
-    let time_s = |design: usize| expected[whole[design]].unwrap_or(most_s);
-    let groups = grouped(whole.iter().map(|&design| keys(&works[design])));
-    let given = |task: Vec<usize>| {
-        let task: Vec<usize> = task.into_iter().map(|design| whole[design]).collect();
-        let of_task = task
+
+    fn most_s(&self) -> f64 {
+        60.0 * self.minutes
+    }
+
+    fn lacking(&self, sweep: &str) -> Result<Lacking, Failure> {
+        let engine = self.engine;
+        let designs = self.runtime.block_on(designs_of(&engine.store, sweep));
+        let mut designs = designs.map_err(Failure::other)?;
+        designs.retain(|design| !design.study.ended());
+        let all: Vec<&DesignRow> = designs.iter().collect();
+        let works = workloads(&all, engine.solver.as_ref(), engine.threads, self.stop);
+        let works = works.ok_or_else(|| Failure::Other(STOPPED.to_owned()))?;
+        let forecast = forecast_designs(&engine.store, &engine.solver, engine.threads, &works);
+        let (expected, known) = self.runtime.block_on(forecast).map_err(Failure::other)?;
+        Ok(Lacking {
+            designs,
+            works,
+            expected,
+            known,
+        })
+    }
+
+    /// Parts of a design's points, so many, each with the cut points, which are solved here where they lack.
+    fn parts(&self, lacking: &Lacking, design: usize, of: usize) -> Result<Vec<Given>, Failure> {
+        let study = &lacking.designs[design].study;
+        let handle = self.runtime.handle();
+        let solved = self
+            .engine
+            .solve_part(study, None, handle, self.stop, &|_| {});
+        if !solved.map_err(Failure::Other)? {
+            return Err(Failure::Other(STOPPED.to_owned()));
+        }
+        let planned = stored_plan(study).map_err(Failure::Other)?;
+        let given = |number: usize| {
+            let part = Part { number, of };
+            let points = part.points(&planned, self.engine.solver.as_ref());
+            let keys = points.iter().flat_map(|point| [&point.key, &point.cut]);
+            let keys: HashSet<&str> = keys.map(String::as_str).collect();
+            let asked: Vec<&str> = keys.into_iter().collect();
+            let known = self.runtime.block_on(async {
+                let mut connection = self.engine.store.read().await?;
+                evaluations::known(&mut connection, &asked).await
+            });
+            Ok(Given {
+                known: known.map_err(Failure::other)?.into_iter().collect(),
+                task: Task {
+                    studies: vec![study.id.clone()],
+                    part: Some(part),
+                    expected_s: lacking.expected[design].map(|all_s| all_s / of as f64),
+                },
+            })
+        };
+        (1..=of).map(given).collect()
+    }
+}
+
+impl Lacking {
+    fn share(&self, design: usize, most_s: f64) -> Result<Share, Failure> {
+        let Some(work) = &self.works[design] else {
+            return Ok(Share::Whole);
+        };
+        let all = work.keys().count();
+        let has = work.keys().filter(|key| self.known.contains(*key)).count();
+        let lacks = all - has;
+        if lacks == 0 || (lacks < LARGE && has >= LARGE) {
+            // A little is left, or nothing but to analyse it: sending its points away would take longer.
+            return Ok(Share::None);
+        }
+        let tasks = (self.expected[design].unwrap_or(f64::INFINITY) / most_s).ceil();
+        let of = (lacks / SMALLEST).min(tasks as usize);
+        if lacks < LARGE || of < 2 {
+            return Ok(Share::Whole);
+        }
+        let planned = stored_plan(&self.designs[design].study).map_err(Failure::Other)?;
+        Ok(match is_shareable(&planned.study) {
+            true => Share::Parts(of),
+            false => Share::Whole,
+        })
+    }
+
+    /// A task of whole designs.
+    fn given(&self, designs: &[usize]) -> Given {
+        let keys = designs
             .iter()
-            .flat_map(|&design| works[design].iter().flat_map(Workload::keys));
-        let shared: HashSet<&str> = of_task.filter(|key| known.contains(*key)).collect();
-        let times: Option<Vec<f64>> = task.iter().map(|&design| expected[design]).collect();
+            .flat_map(|&design| self.works[design].iter().flat_map(Workload::keys));
+        let shared: HashSet<&str> = keys.filter(|key| self.known.contains(*key)).collect();
+        let times = designs.iter().map(|&design| self.expected[design]);
+        let times: Option<Vec<f64>> = times.collect();
+        let studies = designs.iter().map(|&design| &self.designs[design].study);
         Given {
             known: shared.into_iter().map(str::to_owned).collect(),
             task: Task {
-                studies: task
-                    .iter()
-                    .map(|&design| designs[design].study.id.clone())
-                    .collect(),
+                studies: studies.map(|study| study.id.clone()).collect(),
                 part: None,
                 expected_s: times.map(|times| times.iter().sum()),
             },
         }
-    };
-    let tasks = packed(groups, time_s, most_s).into_iter().map(given);
-    Ok(tasks.chain(parts).collect())
-}
-
-/// Whether a study's points can be shared out.
-fn is_large(study: &StudyRow) -> Result<bool, Failure> {
-    let planned = stored_plan(study).map_err(Failure::Other)?;
-    Ok(is_shareable(&planned.study))
-}
-
-/// Parts of a study's points, so many, each with the cut points, which are solved here where they lack.
-fn parts_of(
-    runtime: &Runtime,
-    engine: &Engine,
-    study: &StudyRow,
-    expected_s: Option<f64>,
-    of: usize,
-    stop: &AtomicBool,
-) -> Result<Vec<Given>, Failure> {
-    let solved = engine.solve_part(study, None, runtime.handle(), stop, &|_| {});
-    if !solved.map_err(Failure::Other)? {
-        return Err(Failure::Other("stopped".to_owned()));
     }
-    let planned = stored_plan(study).map_err(Failure::Other)?;
-    let given = |number: usize| {
-        let part = Part { number, of };
-        let points = part.points(&planned, engine.solver.as_ref());
-        let keys = points.iter().flat_map(|point| [&point.key, &point.cut]);
-        let keys: HashSet<&str> = keys.map(String::as_str).collect();
-        let asked: Vec<&str> = keys.into_iter().collect();
-        let known = runtime.block_on(async {
-            let mut connection = engine.store.read().await?;
-            evaluations::known(&mut connection, &asked).await
-        });
-        Ok(Given {
-            known: known.map_err(Failure::other)?.into_iter().collect(),
-            task: Task {
-                studies: vec![study.id.clone()],
-                part: Some(part),
-                expected_s: expected_s.map(|expected_s| expected_s / of as f64),
-            },
-        })
-    };
-    (1..=of).map(given).collect()
 }
 
 /// Writes tasks of a database into a new folder, with the program; nobody else may have the database meanwhile.
@@ -170,7 +210,11 @@ pub(crate) fn write(
 }
 
 /// Groups of designs joined in their order, as long as they take no longer together than this, s.
-fn packed(groups: Vec<Vec<usize>>, time_s: impl Fn(usize) -> f64, most_s: f64) -> Vec<Vec<usize>> {
+pub(crate) fn packed(
+    groups: Vec<Vec<usize>>,
+    time_s: impl Fn(usize) -> f64,
+    most_s: f64,
+) -> Vec<Vec<usize>> {
     let mut tasks: Vec<Vec<usize>> = Vec::new();
     let mut filled_s = 0.0;
     for group in groups {
