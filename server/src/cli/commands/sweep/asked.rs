@@ -11,9 +11,12 @@ use serde_json::{Map, json};
 use tokio::runtime::Runtime;
 
 use crate::cli::commands::library;
+use crate::cli::solver_option::SolverOption;
 use crate::cli::terminal::exit::Failure;
+use crate::config::Config;
 use service::engine::Engine;
 use service::forecast::{admit, plan_study};
+use service::queue::recover;
 use service::queue::sweeps::{Continuation, designs_of, store};
 use service::study_document::{named_files, read_changed, stored_base};
 use store::queue::sweep_rows::{self, SweepRow};
@@ -87,6 +90,9 @@ impl Asked {
         plan: Option<&Plan>,
         there: u64,
     ) -> Result<SweepRow, Failure> {
+        runtime
+            .block_on(recover(&engine.store))
+            .map_err(Failure::other)?;
         let admit_all = |designs: &[Design]| {
             let admitted = |design: &Design| {
                 let admitted = async {
@@ -133,6 +139,23 @@ impl Asked {
         let document = json!({"grid": grid});
         placed::designs_of(base, &document).map_err(Failure::Input)
     }
+}
+
+/// Opens the database for a piece of work, and closes it whatever comes of that: its lock is free again.
+pub(super) fn with_engine<T>(
+    runtime: &Runtime,
+    config: &Config,
+    solver: &SolverOption,
+    work: impl FnOnce(&Engine) -> Result<T, Failure>,
+) -> Result<T, Failure> {
+    let solver = solver.solver().map_err(Failure::other)?;
+    let opened = runtime.block_on(config.open());
+    let engine = config.work.engine(solver, opened.map_err(Failure::other)?);
+    let ended = work(&engine);
+    let closed = runtime.block_on(engine.store.close());
+    let ended = ended?;
+    closed.map_err(Failure::other)?;
+    Ok(ended)
 }
 
 async fn sweep_named(from: &Store, beginning: &str) -> Result<SweepRow, Failure> {

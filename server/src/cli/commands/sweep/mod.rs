@@ -14,7 +14,7 @@ use serde_json::json;
 use tokio::runtime::Runtime;
 
 use crate::cli::commands::compare::table;
-use crate::cli::commands::sweep::asked::Asked;
+use crate::cli::commands::sweep::asked::{Asked, with_engine};
 use crate::cli::commands::sweep::designs::Crew;
 use crate::cli::commands::sweep::elsewhere::{Elsewhere, Rounds};
 use crate::cli::commands::sweep::tasks::packing::Packer;
@@ -30,7 +30,6 @@ use crate::config::Config;
 use service::comparison::of_designs;
 use service::engine::Engine;
 use service::forecast::forecast_sweep;
-use service::queue::recover;
 use service::queue::sweeps::designs_of;
 use service::wire::sweep_wire::{DesignEstimate, SweepDetail};
 use store::queue::sweep_rows::SweepRow;
@@ -75,7 +74,8 @@ impl Sweep {
             return self.estimate(&runtime, plan);
         }
         let stop = stop_flag(&runtime)?;
-        let asked = |engine: &Engine| self.stored(&runtime, engine, plan.as_ref());
+        let there = self.config.memory_bytes();
+        let asked = |engine: &Engine| self.asked.stored(&runtime, engine, plan.as_ref(), there);
         let solved = |engine: &Engine, sweep: &SweepRow| self.run(&runtime, engine, sweep, &stop);
         let (detail, comparison) = match self.elsewhere.engine()? {
             None => self.with_engine(&runtime, |engine| solved(engine, &asked(engine)?))?,
@@ -118,36 +118,12 @@ impl Sweep {
         tell(&text, self.json.as_ref())
     }
 
-    /// Opens the database for a piece of work, and closes it whatever comes of that.
     fn with_engine<T>(
         &self,
         runtime: &Runtime,
         work: impl FnOnce(&Engine) -> Result<T, Failure>,
     ) -> Result<T, Failure> {
-        let solver = self.solver.solver().map_err(Failure::other)?;
-        let opened = runtime.block_on(self.config.open());
-        let engine = self
-            .config
-            .work
-            .engine(solver, opened.map_err(Failure::other)?);
-        let ended = work(&engine);
-        let closed = runtime.block_on(engine.store.close());
-        let ended = ended?;
-        closed.map_err(Failure::other)?;
-        Ok(ended)
-    }
-
-    fn stored(
-        &self,
-        runtime: &Runtime,
-        engine: &Engine,
-        plan: Option<&Plan>,
-    ) -> Result<SweepRow, Failure> {
-        runtime
-            .block_on(recover(&engine.store))
-            .map_err(Failure::other)?;
-        let there = self.config.memory_bytes();
-        self.asked.stored(runtime, engine, plan, there)
+        with_engine(runtime, &self.config, &self.solver, work)
     }
 
     /// Rounds of tasks for other machines.

@@ -9,7 +9,7 @@ use tokio::runtime::Runtime;
 
 use super::packing::{Packer, write};
 use super::task_folder::{Task, TaskFolder, Tasks};
-use crate::cli::commands::sweep::asked::Asked;
+use crate::cli::commands::sweep::asked::{Asked, with_engine};
 use crate::cli::solver_option::SolverOption;
 use crate::cli::terminal::exit::Failure;
 use crate::cli::terminal::files::Files;
@@ -17,7 +17,6 @@ use crate::cli::terminal::output::{JsonTarget, tell};
 use crate::cli::terminal::report::next_steps::shell_word;
 use crate::cli::terminal::signals::stop_flag;
 use crate::config::{Config, minutes};
-use service::queue::recover;
 
 /// Write the designs that a sweep still lacks into a folder
 #[derive(Debug, Args)]
@@ -64,37 +63,19 @@ impl Make {
                 self.dir.display()
             )));
         }
-        let solver = self.solver.solver().map_err(Failure::other)?;
-        let opened = runtime.block_on(self.config.open());
-        let engine = self
-            .config
-            .work
-            .engine(solver, opened.map_err(Failure::other)?);
-        let recovered = runtime.block_on(recover(&engine.store));
-        recovered.map_err(Failure::other)?;
         let (there, stop) = (self.config.memory_bytes(), stop_flag(&runtime)?);
-        let stored = self.asked.stored(&runtime, &engine, plan.as_ref(), there);
-        let given = stored.and_then(|sweep| {
+        let tasks = with_engine(&runtime, &self.config, &self.solver, |engine| {
+            let sweep = self.asked.stored(&runtime, engine, plan.as_ref(), there)?;
             let packer = Packer {
                 runtime: &runtime,
-                engine: &engine,
+                engine,
                 minutes: self.minutes,
                 stop: &stop,
             };
-            Ok((packer.pack(&sweep.id)?, sweep.id))
-        });
-        let closed = runtime.block_on(engine.store.close());
-        let version = engine.solver.version();
-        // The lock on the database goes with the store.
-        drop(engine);
-        let (given, sweep) = given?;
-        closed.map_err(Failure::other)?;
-        let (folder, tasks, program) = write(
-            &runtime,
-            &self.config.db,
-            &self.dir,
-            (version, sweep, given),
-        )?;
+            let given = packer.pack(&sweep.id)?;
+            Ok((engine.solver.version(), sweep.id, given))
+        })?;
+        let (folder, tasks, program) = write(&runtime, &self.config.db, &self.dir, tasks)?;
         self.tell(&folder, &program, &tasks)
     }
 
