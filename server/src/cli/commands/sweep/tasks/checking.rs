@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 
 use fem_client::scene::Scene;
 use fem_client::solver::{Readout, Response, SolveRequest, Solver, StartState};
-use placement::sharing::{FirstPoint, Part, PartPoint};
+use placement::sharing::{FirstPoint, PartPoint};
 use sqlx::{Connection, SqliteConnection};
 
 use super::task_folder::Task;
@@ -13,14 +13,14 @@ use service::study_document::stored_plan;
 use store::StoreError;
 use store::merging::target::{Merging, WholeFile};
 use store::points::evaluations;
-use store::queue::study_rows::{self, State, StudyRow};
+use store::queue::study_rows::{self, State};
 
 /// Reason to doubt what a file has: designs of another task, or a point has other bits where it is solved again here. That is the first point of a design, of a part any one. A point that is
 /// known here is compared when the file is taken.
 pub(super) async fn doubt(
     head: &mut Merging,
     whole: &WholeFile,
-    task: &Task,
+    (task, points): (&Task, Option<&[PartPoint]>),
     solver: &Arc<dyn Solver>,
 ) -> Result<Option<String>, StoreError> {
     let (studies, new_points) = head.foreseen(whole).await?;
@@ -29,8 +29,8 @@ pub(super) async fn doubt(
     }
     let mut theirs = whole.open().await?;
     let (own, other) = (head.connection(), &mut theirs);
-    let compared = match task.part {
-        Some(part) => compared_part(own, other, (task, part), solver).await,
+    let compared = match points {
+        Some(points) => compared_part(own, other, (task, points), solver).await,
         None => compared(own, other, task, solver).await,
     };
     theirs.close().await?;
@@ -103,25 +103,24 @@ async fn compared(
 async fn compared_part(
     head: &mut SqliteConnection,
     theirs: &mut SqliteConnection,
-    (task, part): (&Task, Part),
+    (task, points): (&Task, &[PartPoint]),
     solver: &Arc<dyn Solver>,
 ) -> Result<Compared, StoreError> {
     let id = task.studies.first().map_or("", String::as_str);
-    let Some(study) = study_rows::find(head, id).await? else {
+    if study_rows::find(head, id).await?.is_none() {
         return Ok(unknown(id));
-    };
-    let mut points = part_points(part, study, solver).await;
+    }
     let keys: Vec<&str> = points.iter().map(|point| point.key.as_str()).collect();
     let there = evaluations::known(theirs, &keys).await?;
     let here = evaluations::known(head, &keys).await?;
-    points.retain(|point| there.contains(&point.key) && !here.contains(&point.key));
-    if points.is_empty() {
+    let is_new = |point: &&PartPoint| there.contains(&point.key) && !here.contains(&point.key);
+    let new: Vec<&PartPoint> = points.iter().filter(is_new).collect();
+    let Some(point) = new.get(any_of(new.len())).map(|point| (*point).clone()) else {
         return Ok(match there.is_empty() {
             true => Compared::Nothing,
             false => Compared::Alike,
         });
-    }
-    let point = points.swap_remove(any_of(points.len()));
+    };
     let found = evaluations::find(theirs, std::slice::from_ref(&point.key)).await?;
     let start = evaluations::find_start(head, &point.cut).await?;
     let solving = solver.clone();
@@ -139,18 +138,21 @@ async fn compared_part(
     Ok(judged(is_alike, "a point", id))
 }
 
-/// Points of a part of a study; none where it has no plan.
+/// Points of a task that has a part of a study's; of a study that isn't here, or has no plan, there are none.
 pub(super) async fn part_points(
-    part: Part,
-    study: StudyRow,
+    head: &mut SqliteConnection,
+    task: &Task,
     solver: &Arc<dyn Solver>,
-) -> Vec<PartPoint> {
-    let planning = solver.clone();
+) -> Result<Option<Vec<PartPoint>>, StoreError> {
+    let (Some(part), Some(id)) = (task.part, task.studies.first()) else {
+        return Ok(None);
+    };
+    let (study, planning) = (study_rows::find(head, id).await?, solver.clone());
     let planned = tokio::task::spawn_blocking(move || {
-        let planned = stored_plan(&study).ok()?;
+        let planned = stored_plan(&study?).ok()?;
         Some(part.points(&planned, planning.as_ref()))
     });
-    planned.await.ok().flatten().unwrap_or_default()
+    Ok(Some(planned.await.ok().flatten().unwrap_or_default()))
 }
 
 /// Place among so many that nobody foresees; the first where there are no random numbers.

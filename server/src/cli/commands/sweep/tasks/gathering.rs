@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use clap::Args;
 use fem_client::solver::Solver;
-use placement::sharing::Part;
+use placement::sharing::{Part, PartPoint};
 use serde::Serialize;
 use tokio::runtime::Runtime;
 
@@ -127,10 +127,12 @@ async fn one(
     task: &Task,
     solver: &Arc<dyn Solver>,
 ) -> Result<Gathered, Failure> {
+    let points = part_points(head.connection(), task, solver).await;
+    let points = points.map_err(Failure::other)?;
     let file = folder.done(number);
     let (mut taken, mut refused) = (None, None);
     if file.exists() {
-        match merged(head, &file, task, solver)
+        match merged(head, &file, (task, points.as_deref()), solver)
             .await
             .map_err(Failure::other)?
         {
@@ -146,7 +148,9 @@ async fn one(
     Ok(Gathered {
         task: number,
         part: task.part,
-        ended: ended(head, task, solver).await.map_err(Failure::other)?,
+        ended: ended(head, task, points.as_deref())
+            .await
+            .map_err(Failure::other)?,
         designs: task.studies.len(),
         taken,
         refused,
@@ -157,33 +161,33 @@ async fn one(
 async fn ended(
     head: &mut Merging,
     task: &Task,
-    solver: &Arc<dyn Solver>,
+    points: Option<&[PartPoint]>,
 ) -> Result<usize, StoreError> {
     let mut ended = 0;
     for id in &task.studies {
         let study = study_rows::find(head.connection(), id).await?;
-        let Some(study) = study else {
-            continue;
-        };
-        let is_here = match task.part.filter(|_| !study.ended()) {
-            None => study.ended(),
-            Some(part) => {
-                let points = part_points(part, study, solver).await;
-                let keys: Vec<&str> = points.iter().map(|point| point.key.as_str()).collect();
-                let known = evaluations::known(head.connection(), &keys).await?;
-                !keys.is_empty() && known.len() == keys.len()
-            }
+        let is_ended = study.is_some_and(|study| study.ended());
+        let is_here = match points.filter(|_| !is_ended) {
+            Some(points) => are_here(head, points).await?,
+            None => is_ended,
         };
         ended += usize::from(is_here);
     }
     Ok(ended)
 }
 
+/// Whether there are points, and all are known here.
+async fn are_here(head: &mut Merging, points: &[PartPoint]) -> Result<bool, StoreError> {
+    let keys: Vec<&str> = points.iter().map(|point| point.key.as_str()).collect();
+    let known = evaluations::known(head.connection(), &keys).await?;
+    Ok(!keys.is_empty() && known.len() == keys.len())
+}
+
 /// Rows that were taken of a file, or the reason why it is refused.
 async fn merged(
     head: &mut Merging,
     file: &Path,
-    task: &Task,
+    asked: (&Task, Option<&[PartPoint]>),
     solver: &Arc<dyn Solver>,
 ) -> Result<Result<Merged, String>, StoreError> {
     let bar = counting_bar(0, "rows");
@@ -197,7 +201,7 @@ async fn merged(
         ) => return Ok(Err(error.to_string())),
         Err(error) => return Err(error),
     };
-    if let Some(because) = doubt(head, &whole, task, solver).await? {
+    if let Some(because) = doubt(head, &whole, asked, solver).await? {
         return Ok(Err(because));
     }
     match head.take(&whole, Taken::Solved).await {
