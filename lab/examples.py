@@ -49,6 +49,8 @@ def run(file, noise):
 RUNS = [run("monday.csv", 3), run("tuesday.csv", 5)]
 RECIPE = {"columns": {"forces": "fz_n", "threshold_n": 0.5}, "models": {"kinds": ["ridge"]}}
 ANSWERS = "locations layouts candidates signals evaluations rings sections layouts/fields map result export?format=json".split()
+# Other machines are this one.
+ENGINE = ["--engine", "command", "--engine-command", 'for task in $TASKS; do "$PROGRAM" tasks run "$FOLDER" $task; done']
 TRADE = ["trade", "--up-to", "coarse", "--reference-level", "coarse", "--reference-method", "mdrm"]
 
 
@@ -59,7 +61,7 @@ def service(program):
         database = ["--db", f"{folder}/studies.db"]
         Path(f"{folder}/plain.json").write_text(json.dumps(PLAIN))
         subprocess.run([program, *TRADE, *database, f"{folder}/plain.json"], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        command = [program, "serve", "--addr", "127.0.0.1:0", *database]
+        command = [program, "serve", "--addr", "127.0.0.1:0", *ENGINE, *database]
         with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as running:
             try:
                 yield next(line.split()[-1] for line in running.stdout if line.startswith("listening on "))
@@ -134,13 +136,14 @@ def record_studies(ask, wait):
 def record_sweeps(ask, wait):
     document = {"name": "two walls", "study": PLAIN, "grid": {"geometry.wall_mm": [2.5, 3]}}
     ask("POST", "/v1/sweeps:estimate", document)
-    identity = ask("POST", "/v1/sweeps", document)["id"]
+    identity = ask("POST", "/v1/sweeps?engine=command", document)["id"]
     sweep = f"/v1/sweeps/{identity}"
     wait(sweep)
     ask("POST", f"{sweep}/designs", {"designs": [{"name": "thick", "set": {"geometry.wall_mm": 3.5}}]})
     wait(sweep)
     ask("GET", sweep)
     ask("GET", "/v1/sweeps")
+    ask("GET", "/v1/engines")
     ask("PATCH", sweep, {"archived": True})
     ask("POST", f"{sweep}/resume")
     ask("DELETE", sweep)

@@ -46,6 +46,23 @@ def test_a_grid_is_every_combination(sweep: Sweep, client: Client) -> None:
     assert next(client.sweeps()).designs == client.find_sweep(sweep.id).designs == sweep.designs
 
 
+def test_other_machines_solve_a_sweep(tmp_path: Path) -> None:
+    every = 'for task in $TASKS; do "$PROGRAM" tasks run "$FOLDER" $task; done'
+    service = Service(tmp_path, "--engine", "command", "--engine-command", every).start()
+    try:
+        with Client(service.url) as client:
+            grid = {"geometry.wall_mm": [2.8, 3.2]}
+            with pytest.raises(strainsite.InvalidDocument, match="this service has command"):
+                client.sweep(STUDY, grid=grid, set=DRAFT, engine="slurm")
+            swept = client.sweep(STUDY, grid=grid, set=DRAFT, engine="command").wait(progress=False, timeout=60)
+            (engine,) = client.engines()
+            (away,) = engine.sweeps
+            assert (engine.name, away.sweep, away.designs) == ("command", swept.id, 2)
+            assert [design.study.state for design in swept.resume(engine="command").designs] == ["done", "done"]
+    finally:
+        service.kill()
+
+
 def test_the_comparison_is_the_services(sweep: Sweep, service: Service, client: Client) -> None:
     comparison = sweep.comparison()
     said = httpx.get(f"{service.url}/v1/comparison", params={"sweep": sweep.id}, trust_env=False).json()

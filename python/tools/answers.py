@@ -23,6 +23,7 @@ ANSWERS = (
     "Candidates",
     "Comparison",
     "DesignView",
+    "EngineList",
     "Estimate",
     "EstimatorSummary",
     "EstimatorZero",
@@ -49,6 +50,7 @@ NAMES = {
     "CandidateFilm": "Candidate",  # an entry of `candidates`
     "ClaimRow": "Claim",  # an entry of `claims`; the description's own Claim is its words
     "DesignView": "Design",  # an entry of `designs`
+    "EngineView": "Engine",  # an entry of `engines`
     "EvaluationView": "Evaluation",  # an entry of `evaluations`
     "Fault": "RecordingFault",  # an entry of a look's `faults`; errors have a Fault of their own
     "IndexError": "ErrorParts",  # Python has an IndexError of its own

@@ -129,8 +129,8 @@ pub(crate) fn patience(text: &str) -> Result<Duration, String> {
 /// A sentence that says what would be right.
 pub(crate) fn minutes(text: &str) -> Result<f64, String> {
     let minutes: Option<f64> = text.parse().ok();
-    let minutes = minutes.filter(|minutes| (0.01..=1e5).contains(minutes));
-    minutes.ok_or_else(|| "a time is a number of minutes from 0.01 to 1e5".to_owned())
+    let minutes = minutes.filter(|minutes| (0.001..=1e5).contains(minutes));
+    minutes.ok_or_else(|| "a time is a number of minutes from 0.001 to 1e5".to_owned())
 }
 
 /// Reads an age: a number of minutes, hours, days or weeks.

@@ -31,6 +31,7 @@ use service::work::memory_share::MemoryShare;
 use service::work::own_process::Start;
 use service::work::shutdown;
 use store::{Store, StoreError};
+use tasks::away::{Away, Means};
 
 /// Time that all parts have to end. What lasts longer ends with the program: what was stored is whole, and the rest is done again after the next start.
 const PATIENCE: Duration = Duration::from_secs(3);
@@ -57,6 +58,8 @@ pub struct ServiceParts {
     pub threads: usize,
     /// Time that a study runs before another one that waits has its turn.
     pub turn: Duration,
+    /// Engines that clients may name.
+    pub means: Means,
     /// Clients that it answers.
     pub outside: Outside,
 }
@@ -132,6 +135,7 @@ pub struct Service {
     http: JoinHandle<()>,
     worker: JoinHandle<()>,
     learner: JoinHandle<()>,
+    away: JoinHandle<()>,
 }
 
 /// Reason why a service did not start.
@@ -195,6 +199,8 @@ impl Service {
             limits.waiting_studies,
             stopping.clone(),
         ));
+        let away = Away::new(engine.clone(), queue.clone(), parts.means, stopping.clone());
+        let away = Arc::new(away);
         let means = FitMeans {
             start: parts.learner,
             threads: parts.threads,
@@ -223,6 +229,7 @@ impl Service {
             store: store.clone(),
             engine,
             queue: queue.clone(),
+            away: away.clone(),
             estimators: estimators.clone(),
             previewer: Arc::new(previewer),
             scenes: Arc::new(scenes),
@@ -239,6 +246,7 @@ impl Service {
         let http = tokio::spawn(listener::serve(listener, app, stopping));
         let worker = tokio::spawn(async move { queue.work().await });
         let learner = tokio::spawn(async move { estimators.work().await });
+        let away = tokio::spawn(away.work());
         Ok(Self {
             address,
             login,
@@ -247,6 +255,7 @@ impl Service {
             http,
             worker,
             learner,
+            away,
         })
     }
 
@@ -275,6 +284,7 @@ impl Service {
         for (what, task) in [
             ("queue", self.worker),
             ("estimators", self.learner),
+            ("engines", self.away),
             ("listener", self.http),
         ] {
             match tokio::time::timeout_at(deadline, task).await {

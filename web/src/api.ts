@@ -6,6 +6,8 @@ import type { RecordingFile } from "./lib/forces/recording-files.ts";
 import { EVENT_KINDS, type StudyEvent } from "./lib/study/stream-events.ts";
 import type {
   Comparison,
+  EngineList,
+  EngineView,
   EntryChange,
   Estimate,
   EstimatorDetail,
@@ -194,9 +196,16 @@ export function estimateSweep(document: unknown): Promise<SweepEstimate> {
   return request("POST", "/sweeps:estimate", document);
 }
 
-/** Submits a sweep; the same key finds the same sweep again. */
-export function submitSweep(document: unknown, idempotencyKey: string): Promise<{ id: string }> {
-  return request("POST", "/sweeps", document, { "Idempotency-Key": idempotencyKey });
+/** Submits a sweep, to other machines where an engine is named; the same key finds the same sweep again. */
+export function submitSweep(document: unknown, engine: string | null, idempotencyKey: string): Promise<{ id: string }> {
+  const path = engine === null ? "/sweeps" : `/sweeps?engine=${encodeURIComponent(engine)}`;
+  return request("POST", path, document, { "Idempotency-Key": idempotencyKey });
+}
+
+/** Engines by which other machines solve designs, with what they are at. */
+export async function engines(): Promise<EngineView[]> {
+  const list = await request<EngineList>("GET", "/engines");
+  return list.engines;
 }
 
 /** Estimators of forces, newest first. */

@@ -119,6 +119,13 @@ export interface components {
             /** @description Assumptions that weren't changed, in words: those that the document names no value of, and those whose scene has no answer. */
             unchanged: string[];
         };
+        /** @description Sweep whose designs other machines solve, or did. */
+        AwaySweep: components["schemas"]["TaskReport"] & {
+            /** @description Identifier of the sweep. */
+            sweep: string;
+            /** @description Time at which nothing of it went on any more; null while something does. What was left then has its turns at home. */
+            ended?: string | null;
+        };
         /** @description Errors of left-out runs by where they begin. */
         BeginningsReport: {
             /** @description Runs that begin under a load, which is taken for nothing where the first reading is taken off. */
@@ -683,6 +690,25 @@ export interface components {
             learnt: boolean;
             /** @description Error of the estimates there. */
             error: components["schemas"]["TrialError"];
+        };
+        /** @description Engines that a service has. */
+        EngineList: {
+            /** @description Each engine that clients may name. */
+            engines: components["schemas"]["EngineView"][];
+        };
+        /**
+         * @description Name of an engine.
+         * @enum {string}
+         */
+        EngineName: "slurm" | "command";
+        /** @description Engine, with the sweeps that it has or had. */
+        EngineView: {
+            /** @description Name of the engine, as `?engine=` has it. */
+            name: components["schemas"]["EngineName"];
+            /** @description Tasks of all its sweeps. */
+            tasks: components["schemas"]["TaskCounts"];
+            /** @description Sweeps whose tasks go on, and others, newest first. */
+            sweeps: components["schemas"]["AwaySweep"][];
         };
         /** @description Change of what lists say of a study or a sweep: `name`, `archived` or both. What is left out stays as it is. */
         EntryChange: {
@@ -2653,6 +2679,13 @@ export interface components {
             /** @description Columns with numbers, but for the time. */
             columns: components["schemas"]["ColumnSeries"][];
         };
+        /** @description Reason why a node handed in nothing. */
+        Refusal: {
+            /** @description Name of the node. */
+            node: string;
+            /** @description A sentence. */
+            because: string;
+        };
         /** @description The report of a fit. */
         Report: {
             /** @description Recordings that were learnt from. */
@@ -3748,6 +3781,30 @@ export interface components {
          * @enum {string}
          */
         Taken: "time" | "force" | "signal" | "cycle" | "nothing";
+        /** @description Tasks by where they stand. */
+        TaskCounts: {
+            /** @description Tasks that wait for a machine. */
+            waiting: number;
+            /** @description Tasks that a machine does. A command of the user's counts as one while it runs. */
+            running: number;
+            /** @description Tasks that have ended. */
+            ended: number;
+        };
+        /** @description Report of what becomes of a sweep's tasks. */
+        TaskReport: {
+            /** @description Tasks of the round. */
+            tasks: components["schemas"]["TaskCounts"];
+            /** @description Reason why the first of those that wait does, in the engine's words. */
+            because?: string | null;
+            /** @description Designs of the round. */
+            designs: number;
+            /** @description Designs of the round whose task was taken in and that have ended. */
+            designs_ended: number;
+            /** @description Nodes that handed in nothing, and why. */
+            refused: components["schemas"]["Refusal"][];
+            /** @description Further words about it, the latest last. */
+            said: string[];
+        };
         /** @description Names of a film's tensions. */
         TensionFields_Extremes: {
             /** @description Least and greatest value of a field. */
@@ -5882,6 +5939,7 @@ export type Answer = components['schemas']['Answer'];
 export type AskewError = components['schemas']['AskewError'];
 export type AssumptionChange = components['schemas']['AssumptionChange'];
 export type AssumptionFindings = components['schemas']['AssumptionFindings'];
+export type AwaySweep = components['schemas']['AwaySweep'];
 export type BeginningsReport = components['schemas']['BeginningsReport'];
 export type CandidateFilm = components['schemas']['CandidateFilm'];
 export type Candidates = components['schemas']['Candidates'];
@@ -5917,6 +5975,9 @@ export type DesignEstimate = components['schemas']['DesignEstimate'];
 export type DesignView = components['schemas']['DesignView'];
 export type DriftError = components['schemas']['DriftError'];
 export type ElsewhereError = components['schemas']['ElsewhereError'];
+export type EngineList = components['schemas']['EngineList'];
+export type EngineName = components['schemas']['EngineName'];
+export type EngineView = components['schemas']['EngineView'];
 export type EntryChange = components['schemas']['EntryChange'];
 export type ErrorSources = components['schemas']['ErrorSources'];
 export type Estimate = components['schemas']['Estimate'];
@@ -6030,6 +6091,7 @@ export type RecordingDocument = components['schemas']['RecordingDocument'];
 export type RecordingFigures = components['schemas']['RecordingFigures'];
 export type RecordingLook = components['schemas']['RecordingLook'];
 export type RecordingSeries = components['schemas']['RecordingSeries'];
+export type Refusal = components['schemas']['Refusal'];
 export type Report = components['schemas']['Report'];
 export type Response = components['schemas']['Response'];
 export type ResponseError = components['schemas']['ResponseError'];
@@ -6083,6 +6145,8 @@ export type Table = components['schemas']['Table'];
 export type TableError = components['schemas']['TableError'];
 export type TableReport = components['schemas']['TableReport'];
 export type Taken = components['schemas']['Taken'];
+export type TaskCounts = components['schemas']['TaskCounts'];
+export type TaskReport = components['schemas']['TaskReport'];
 export type TensionFields_Extremes = components['schemas']['TensionFields_Extremes'];
 export type ToldQuantity = components['schemas']['ToldQuantity'];
 export type Topic = components['schemas']['Topic'];

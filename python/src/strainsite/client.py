@@ -10,6 +10,7 @@ from urllib.parse import quote
 
 from . import documents
 from .answers._generated import (
+    EngineList,
     Estimate,
     EstimatorSummary,
     Look,
@@ -37,7 +38,7 @@ if TYPE_CHECKING:
     from pathlib import Path
     from types import TracebackType
 
-    from .answers._generated import ComparisonTable, State
+    from .answers._generated import ComparisonTable, Engine, State
     from .forces.recordings import Recipe, Run
     from .own.rounds import Model
     from .own.sensitivity import Sensitivity
@@ -269,6 +270,7 @@ class Client:
         name: str | None = None,
         set: Mapping[str, Any] | None = None,
         priority: int = 0,
+        engine: str | None = None,
         key: str | None = None,
     ) -> Sweep:
         """Submits one study for each of several designs of its scene.
@@ -282,17 +284,23 @@ class Client:
             name: Name of the sweep; the study's when left out.
             set: Fields of the document that all designs have, as for `document`.
             priority: As for `submit`.
+            engine: One of `engines`, whose machines solve the designs; the answers are the same.
             key: As for `submit`.
 
         Raises:
             DocumentError: As for `submit`; or neither `grid` nor `designs` is given, or both.
-            InvalidDocument: The study or a design has faults.
+            InvalidDocument: The study or a design has faults; or there is no such engine.
+            ProblemError: The engine is missing or refuses, in its own words.
 
         """
         body = {"study": self.document(document, set), **documents.designs_body(grid, designs)}
         if name is not None:
             body["name"] = name
-        return Sweep(self._transport, self._submit("/v1/sweeps", body, priority, key))
+        return Sweep(self._transport, self._submit("/v1/sweeps", body, priority, key, engine))
+
+    def engines(self) -> tuple[Engine, ...]:
+        """Schedulers and commands by which other machines solve designs of sweeps, with what they are at."""
+        return read(EngineList, self._transport.get("/v1/engines")).engines
 
     def estimate_sweep(
         self,
@@ -447,9 +455,12 @@ class Client:
         params = _compared(studies, baseline)
         return download(self._transport, "/v1/comparison/export", format, table, path, params)
 
-    def _submit(self, path: str, body: Mapping[str, Any], priority: int, key: str | None) -> dict[str, Any]:
-        params = {"priority": str(priority)} if priority else None
-        return self._transport.post(path, body, key=key or str(uuid.uuid4()), params=params)
+    def _submit(
+        self, path: str, body: Mapping[str, Any], priority: int, key: str | None, engine: str | None = None
+    ) -> dict[str, Any]:
+        asked = {"priority": str(priority) if priority else None, "engine": engine}
+        params = {name: value for name, value in asked.items() if value is not None}
+        return self._transport.post(path, body, key=key or str(uuid.uuid4()), params=params or None)
 
     def _pages(self, kind: str, params: Mapping[str, str]) -> Iterator[Any]:
         cursor: str | None = None

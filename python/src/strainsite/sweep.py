@@ -86,9 +86,15 @@ class Sweep(ListedEntry[SweepSummary]):
             raise StudyCancelled(self.id)
         return self
 
-    def resume(self) -> Sweep:
-        """Lets designs that were cancelled or failed run again, as new studies; what is solved isn't solved again."""
-        return self._take(self._transport.post(f"{self._path}/resume"))
+    def resume(self, engine: str | None = None) -> Sweep:
+        """Lets designs that were cancelled or failed run again, as new studies; what is solved isn't solved again.
+
+        Args:
+            engine: One of `Client.engines`, whose machines solve what the sweep lacks.
+
+        """
+        params = None if engine is None else {"engine": engine}
+        return self._take(self._transport.post(f"{self._path}/resume", params=params))
 
     def extend(
         self,

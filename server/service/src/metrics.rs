@@ -42,6 +42,7 @@ pub struct Metrics {
 struct Now {
     studies: Family<OfState, Gauge>,
     estimators: Family<OfState, Gauge>,
+    engine_tasks: Family<OfEngine, Gauge>,
     database_bytes: Gauge,
     event_streams: Gauge,
     memory_bytes: Gauge,
@@ -75,6 +76,8 @@ pub struct Snapshot {
     pub studies: Vec<(State, i64)>,
     /// Estimators of each state.
     pub estimators: Vec<(State, i64)>,
+    /// Tasks that other machines have, by engine and state.
+    pub engine_tasks: Vec<(&'static str, &'static str, usize)>,
     /// Size of the database with its write-ahead log.
     pub database_bytes: u64,
     /// Open event streams.
@@ -90,6 +93,12 @@ struct Point {
 
 #[derive(Debug, Clone, PartialEq, Eq, Hash, EncodeLabelSet)]
 struct OfState {
+    state: &'static str,
+}
+
+#[derive(Debug, Clone, PartialEq, Eq, Hash, EncodeLabelSet)]
+struct OfEngine {
+    engine: &'static str,
     state: &'static str,
 }
 
@@ -156,6 +165,11 @@ impl Metrics {
         let now = &self.now;
         own.register("studies", "Studies by state", now.studies.clone());
         own.register("estimators", "Estimators by state", now.estimators.clone());
+        own.register(
+            "engine_tasks",
+            "Tasks of sweeps that other machines solve, by engine and state",
+            now.engine_tasks.clone(),
+        );
         let size = now.database_bytes.clone();
         own.register_with_unit(
             "database",
@@ -233,6 +247,13 @@ impl Metrics {
                 family.get_or_create_owned(&OfState { state }).set(*count);
             }
         }
+        for &(engine, state, count) in &now.engine_tasks {
+            let count = i64::try_from(count).unwrap_or(i64::MAX);
+            let gauge = &self.now.engine_tasks;
+            gauge
+                .get_or_create_owned(&OfEngine { engine, state })
+                .set(count);
+        }
         let whole = |bytes: u64| i64::try_from(bytes).unwrap_or(i64::MAX);
         self.now.database_bytes.set(whole(now.database_bytes));
         self.now.memory_bytes.set(whole(now.memory_bytes));
@@ -259,6 +280,7 @@ mod tests {
         let text = metrics.text(&Snapshot {
             studies: vec![(State::Queued, 7), (State::Done, 2)],
             estimators: vec![(State::Running, 1)],
+            engine_tasks: vec![("slurm", "waiting", 5)],
             database_bytes: 4096,
             event_streams: 3,
             memory_bytes: 1 << 20,
@@ -273,6 +295,7 @@ mod tests {
             "strainsite_request_seconds_count{route=\"/v1/studies/{id}\"} 1",
             "strainsite_studies{state=\"queued\"} 7",
             "strainsite_estimators{state=\"running\"} 1",
+            "strainsite_engine_tasks{engine=\"slurm\",state=\"waiting\"} 5",
             "strainsite_database_bytes 4096",
             "strainsite_event_streams 3",
             "process_resident_memory_bytes 1048576",

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::cli::commands::solve::umbridge;
-use crate::cli::commands::sweep::tasks;
+use crate::cli::commands::sweep::task_commands;
 use crate::cli::commands::{
     compare, db, documents, export, force, gsa, library, run, serve, shell, solve, sweep, trade,
     verify,
@@ -57,7 +57,7 @@ enum Command {
     #[command(after_help = help_examples::SWEEP)]
     Sweep(sweep::Sweep),
     /// Have designs of a sweep solved by other machines: write them as tasks, run one, take in what came of them
-    Tasks(tasks::Tasks),
+    Tasks(task_commands::Tasks),
     /// Compare studies, or the designs of a sweep: what differs, and which differences are real
     #[command(after_help = help_examples::COMPARE)]
     Compare(compare::Compare),

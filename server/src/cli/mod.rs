@@ -9,6 +9,7 @@
 //! - [`entry`]: chooses the command, and the exit code
 
 mod commands;
+mod engine_options;
 pub mod entry;
 mod settings;
 mod solver_option;

@@ -12,6 +12,7 @@ use service::queue::Queue;
 use service::work::own_process::Start;
 use service::work::shutdown::Shutdown;
 use store::Store;
+use tasks::away::Away;
 
 use crate::http::edge::access::Access;
 use crate::http::edge::answer_limits::AnswerLimits;
@@ -27,6 +28,8 @@ pub struct AppState {
     pub engine: Engine,
     /// The queue of studies.
     pub queue: Arc<Queue>,
+    /// Sweeps of it that other machines solve.
+    pub away: Arc<Away>,
     /// The line of estimators beside it.
     pub estimators: Arc<EstimatorQueue>,
     /// Solves previews beside it.

@@ -97,6 +97,20 @@ impl Store {
         Ok(self.whole_reader.acquire().await?)
     }
 
+    /// The one connection that writes. Return it sooner than any other.
+    ///
+    /// # Errors
+    /// As [`Store::begin`].
+    pub(crate) async fn writer(&self) -> Result<PoolConnection<Sqlite>, StoreError> {
+        self.check()?;
+        Ok(self.writer.acquire().await?)
+    }
+
+    /// The place of the file.
+    pub(crate) fn place(&self) -> &Place {
+        &self.place
+    }
+
     /// A transaction on the one connection that writes. It takes the write lock at once, so that what it reads can't
     /// change before it writes.
     ///
@@ -119,6 +133,14 @@ impl Store {
     ) -> Result<(), StoreError> {
         seals::close(&mut transaction).await?;
         transaction.commit().await?;
+        self.committed(event)
+    }
+
+    /// Wakes whoever waits for an event up to `event`, once it was committed.
+    ///
+    /// # Errors
+    /// [`StoreError::Gone`] when it was stored in files that aren't there any more.
+    pub(crate) fn committed(&self, event: i64) -> Result<(), StoreError> {
         // Afterwards: what is confirmed was in the files that the next start will find. Where the last connection closes meanwhile, what was committed is in the file, and
         // the log and its index go with it.
         if !self.is_closing() {

@@ -41,7 +41,7 @@ const IDENTITY: &str = "seal";
 /// Seal of how far it is, apart: who changes that takes this seal off, and leaves the other one as it is.
 const STATE: &str = "state_seal";
 
-static SEALED: [Sealed; 17] = [
+static SEALED: [Sealed; 18] = [
     sealed(
         "studies",
         IDENTITY,
@@ -115,6 +115,12 @@ static SEALED: [Sealed; 17] = [
         IDENTITY,
         &["key"],
         &["key", "sweep", "sha256"],
+    ),
+    sealed(
+        "sweep_engines",
+        IDENTITY,
+        &["sweep"],
+        &["sweep", "engine", "begun", "sha256", "ended"],
     ),
     sealed(
         "estimators",

@@ -16,6 +16,7 @@ use service::forces::fit_process;
 use service::work::analysis_process;
 use sqlx::sqlite::SqliteConnectOptions;
 use sqlx::{Connection, SqliteConnection};
+use tasks::away::Means;
 use tempfile::TempDir;
 
 /// Time far beyond what any of these studies takes, so that only a study that hangs meets it.
@@ -99,6 +100,7 @@ pub async fn serve(database: PathBuf, solver: Arc<dyn Solver>) -> Result<App, St
 
 fn parts(database: PathBuf, solver: Arc<dyn Solver>) -> ServiceParts {
     ServiceParts {
+        means: Means::default(),
         address: "127.0.0.1:0".parse().expect("address"),
         database,
         previewer: solver.clone(),

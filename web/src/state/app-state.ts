@@ -8,6 +8,7 @@ import type { Page } from "../lib/shell/pages.ts";
 import { parseRoute, type Route } from "../lib/route.ts";
 import type { Progress } from "../lib/study/point-progress.ts";
 import type {
+  AwaySweep,
   Comparison,
   Estimate,
   EstimatorDetail,
@@ -102,6 +103,8 @@ export interface SweepDraft {
   /** The document's name when empty. */
   name: string;
   grid: string;
+  /** Whose machines solve it; the service's own when null. */
+  engine: string | null;
   busy: "estimating" | "sending" | null;
   problem: Problem | null;
   /** Of the document and the grid as they were then. */
@@ -110,6 +113,8 @@ export interface SweepDraft {
 
 interface EstimatedSweep {
   estimate: SweepEstimate;
+  /** Names of the engines that could solve it. */
+  engines: string[];
   /** Text of the study, to see whether it is still the one. */
   text: string;
   document: unknown;
@@ -124,8 +129,15 @@ export interface OpenSweep {
   lost: boolean;
   /** Null until a design has a result. */
   comparison: Loadable<Comparison> | null;
+  /** What other machines do for it; null where none were asked. */
+  away: Away | null;
   /** Why it couldn't be cancelled or resumed. */
   problem: Problem | null;
+}
+
+/** A sweep that an engine has or had. */
+export interface Away extends AwaySweep {
+  engine: string;
 }
 
 /** An entry that has just left its list. */
@@ -218,7 +230,7 @@ export function initialState(hash: string, now_ms: number): AppState {
     studyDraft: emptyDraft(),
     draftCheck: { text: "", asking: false, estimate: null, problem: null },
     preview: { isOffered: null, asking: false, shown: null, start: null, problem: null },
-    sweepDraft: { name: "", grid: "", busy: null, problem: null, estimated: null },
+    sweepDraft: { name: "", grid: "", engine: null, busy: null, problem: null, estimated: null },
     openStudy: null,
     openSweep: null,
     openComparison: null,
@@ -247,7 +259,7 @@ export function openedStudy(id: string): OpenStudy {
 }
 
 export function openedSweep(id: string): OpenSweep {
-  return { id, detail: { status: "loading" }, lost: false, comparison: null, problem: null };
+  return { id, detail: { status: "loading" }, lost: false, comparison: null, away: null, problem: null };
 }
 
 export function openedComparison(id: string): OpenComparison {

@@ -51,7 +51,16 @@ export function createOpenSweep(store: Store, onChanged: () => void): OpenSweepA
     if (isOver(detail.state) && before?.status === "ready" && !isOver(before.value.state)) onChanged();
     inView.edit(id, (sweep) => ({ ...sweep, detail: { status: "ready", value: detail }, lost: false }));
     pollUnlessOver(id);
+    void lookAway(id);
     void compareIfStale();
+  }
+
+  /** Asks what other machines do for it. */
+  async function lookAway(id: string): Promise<void> {
+    const answer = await answerTo(api.engines());
+    if (answer.status !== "ready") return;
+    const all = answer.value.flatMap((engine) => engine.sweeps.map((sweep) => ({ ...sweep, engine: engine.name })));
+    inView.edit(id, (sweep) => ({ ...sweep, away: all.find((one) => one.sweep === id) ?? null }));
   }
 
   function pollUnlessOver(id: string): void {

@@ -15,6 +15,7 @@ __all__ = [
     "AskewError",
     "AssumptionChange",
     "AssumptionFindings",
+    "AwaySweep",
     "BeginningsReport",
     "Candidate",
     "Candidates",
@@ -42,6 +43,8 @@ __all__ = [
     "DesignEstimate",
     "DriftError",
     "ElsewhereError",
+    "Engine",
+    "EngineList",
     "ErrorParts",
     "ErrorSources",
     "Estimate",
@@ -113,6 +116,7 @@ __all__ = [
     "RecordingFigures",
     "RecordingLook",
     "RecordingSeries",
+    "Refusal",
     "ResponseError",
     "RestedReport",
     "RestsOn",
@@ -144,6 +148,7 @@ __all__ = [
     "SweepSummary",
     "TableError",
     "TableReport",
+    "TaskCounts",
     "ToldQuantity",
     "TradeAnswer",
     "TradeRow",
@@ -268,6 +273,29 @@ class AssumptionFindings:
     unchanged: tuple[str, ...]
     """Assumptions that weren't changed, in words: those that the document names no value of, and those whose scene
     has no answer."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class AwaySweep:
+    """Sweep whose designs other machines solve, or did."""
+
+    tasks: TaskCounts
+    """Tasks of the round."""
+    because: str | None = None
+    """Reason why the first of those that wait does, in the engine's words."""
+    designs: int
+    """Designs of the round."""
+    designs_ended: int
+    """Designs of the round whose task was taken in and that have ended."""
+    refused: tuple[Refusal, ...]
+    """Nodes that handed in nothing, and why."""
+    said: tuple[str, ...]
+    """Further words about it, the latest last."""
+    sweep: str
+    """Identifier of the sweep."""
+    ended: str | None = None
+    """Time at which nothing of it went on any more; None while something does. What was left then has its turns at
+    home."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -765,6 +793,26 @@ class ElsewhereError:
     """Whether estimators learnt from runs on it, too."""
     error: TrialError
     """Error of the estimates there."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Engine:
+    """Engine, with the sweeps that it has or had."""
+
+    name: str
+    """Name of the engine, as `?engine=` has it. One of `slurm`, `command`."""
+    tasks: TaskCounts
+    """Tasks of all its sweeps."""
+    sweeps: tuple[AwaySweep, ...]
+    """Sweeps whose tasks go on, and others, newest first."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class EngineList:
+    """Engines that a service has."""
+
+    engines: tuple[Engine, ...]
+    """Each engine that clients may name."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -2164,6 +2212,16 @@ class RecordingSeries:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Refusal:
+    """Reason why a node handed in nothing."""
+
+    node: str
+    """Name of the node."""
+    because: str
+    """A sentence."""
+
+
+@dataclass(frozen=True, kw_only=True)
 class ResponseError:
     """Estimated errors: absolute, of the largest reported value of each kind."""
 
@@ -2851,6 +2909,18 @@ class TableReport:
     """Error of the table; None where a load that tests it has no equilibrium."""
     films: FilmAnglesReport | None = None
     """Wheel angles of glued films as an axis; absent for films that resist nothing."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class TaskCounts:
+    """Tasks by where they stand."""
+
+    waiting: int
+    """Tasks that wait for a machine."""
+    running: int
+    """Tasks that a machine does. A command of the user's counts as one while it runs."""
+    ended: int
+    """Tasks that have ended."""
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -13,6 +13,7 @@ use crate::queue::submit_error::{SubmitError, TooManyDesigns};
 use crate::queue::{Queue, enqueue};
 use crate::study_document::stored_study;
 use store::content::sha256;
+use store::queue::engine_rows;
 use store::queue::study_rows::State;
 use store::queue::sweep_rows::{self, DesignRow, SweepRow};
 use store::{Store, StoreError};
@@ -81,7 +82,7 @@ impl Continuation {
 }
 
 impl Queue {
-    /// Takes a sweep in and returns its identifier. The same one under the same key is taken in once.
+    /// Takes a sweep in and returns its identifier. The same one under the same key is taken in once. Where an engine is named, its studies wait until that is done.
     ///
     /// # Errors
     /// See [`SubmitError`].
@@ -90,6 +91,7 @@ impl Queue {
         sweep: &Sweep,
         priority: i64,
         key: Option<&str>,
+        engine: Option<&str>,
     ) -> Result<String, SubmitError> {
         let content = content_sha256(sweep);
         let mut transaction = self.store().begin().await?;
@@ -107,6 +109,9 @@ impl Queue {
         if let Some(key) = key {
             sweep_rows::insert_key(&mut transaction, key, &id, &content).await?;
         }
+        if let Some(engine) = engine {
+            engine_rows::begin(&mut transaction, &id, engine).await?;
+        }
         self.admit(transaction).await?;
         Ok(id)
     }
@@ -121,21 +126,26 @@ impl Queue {
         designs: Vec<Design>,
     ) -> Result<(), SubmitError> {
         let work = move |there: &[DesignRow]| Continuation::default().and_adding(there, designs);
-        self.continue_sweep(sweep, work).await
+        self.continue_sweep(sweep, None, work).await
     }
 
-    /// Lets designs that ended without a result be tried again.
+    /// Lets designs that ended without a result be tried again, by an engine where one is named.
     ///
     /// # Errors
     /// See [`SubmitError`].
-    pub async fn resume_sweep(&self, sweep: &SweepRow) -> Result<(), SubmitError> {
+    pub async fn resume_sweep(
+        &self,
+        sweep: &SweepRow,
+        engine: Option<&str>,
+    ) -> Result<(), SubmitError> {
         let work = |there: &[DesignRow]| Ok(Continuation::resuming(there));
-        self.continue_sweep(sweep, work).await
+        self.continue_sweep(sweep, engine, work).await
     }
 
     async fn continue_sweep(
         &self,
         sweep: &SweepRow,
+        engine: Option<&str>,
         work: impl FnOnce(&[DesignRow]) -> Result<Continuation, TooManyDesigns> + Send + 'static,
     ) -> Result<(), SubmitError> {
         // Two at once would both add what it hasn't yet.
@@ -147,6 +157,9 @@ impl Queue {
         let mut transaction = self.store().begin().await?;
         self.room_for(&mut transaction, studies).await?;
         continuation.store(&mut transaction, sweep).await?;
+        if let Some(engine) = engine {
+            engine_rows::begin(&mut transaction, &sweep.id, engine).await?;
+        }
         Ok(self.admit(transaction).await?)
     }
 

@@ -127,6 +127,24 @@ pub fn crowded() -> Value {
     )
 }
 
+/// An engine that a service hasn't.
+pub fn unknown_engine() -> Value {
+    problem(
+        422,
+        "Unprocessable Entity",
+        "there is no engine \"nomad\" here; this service has slurm",
+    )
+}
+
+/// An engine that refuses.
+pub fn unwilling() -> Value {
+    problem(
+        503,
+        "Service Unavailable",
+        "the engine slurm: sbatch: error: invalid partition specified: shrt",
+    )
+}
+
 /// A service that can't work.
 pub fn unready() -> Value {
     problem(

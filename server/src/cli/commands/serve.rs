@@ -8,6 +8,7 @@ use std::time::Duration;
 use clap::Args;
 use document::fault::Fault;
 
+use crate::cli::engine_options::EngineOptions;
 use crate::cli::solver_option::SolverOption;
 use crate::cli::terminal::exit::Failure;
 use crate::cli::terminal::output::tell;
@@ -23,6 +24,8 @@ use service::forces::fit_process;
 use service::solving::solver_choice::{PREVIEW_LIMIT, preview_solver};
 use service::work::analysis_process;
 use service::work::own_process::own_program;
+use tasks::away::Means;
+use tasks::engines::engine_name::EngineName;
 
 /// The environment variable that may hold the token: unlike an argument, it is in no list of processes.
 const TOKEN_VARIABLE: &str = "STRAINSITE_TOKEN";
@@ -85,6 +88,17 @@ pub(crate) struct Serve {
         value_name = "FILE"
     )]
     file: Option<PathBuf>,
+    /// Engine that clients may name, as in POST /v1/sweeps?engine=slurm; may be given several times. Its machines solve designs then
+    #[arg(
+        long = "engine",
+        env = "STRAINSITE_ENGINE",
+        value_enum,
+        value_name = "NAME",
+        value_delimiter = ','
+    )]
+    engines: Vec<EngineName>,
+    #[command(flatten)]
+    engine_options: EngineOptions,
     #[command(flatten)]
     config: Config,
     #[command(flatten)]
@@ -143,6 +157,18 @@ impl Serve {
         if let Err(error) = outside.check(self.addr) {
             note(error.to_string());
         }
+        let settings = self.engine_options.settings();
+        for &name in &self.engines {
+            if let Err(error) = settings.engine(name) {
+                note(error.to_string());
+            }
+        }
+        let means = Means {
+            names: self.engines.clone(),
+            settings,
+            folder: self.engine_options.folder(&self.config.db),
+            minutes: self.engine_options.minutes,
+        };
         let solver = self
             .solver
             .solver()
@@ -164,6 +190,7 @@ impl Serve {
             scene_limit: SCENE_LIMIT,
             threads: self.config.threads(),
             turn: self.turn_s,
+            means,
             outside,
         };
         let drawn = secret.filter(|secret| secret.drawn);

@@ -5,6 +5,7 @@ use std::fmt;
 use document::fault::Fault;
 use document::visible::visible;
 use serde_json::{Value, json};
+use tasks::task_error::TaskError;
 
 use crate::cli::terminal::paint::{BAD, painted};
 
@@ -92,6 +93,15 @@ impl Failure {
             Self::Partial(detail) | Self::Other(detail) => {
                 json!({"status": "failed", "detail": detail})
             }
+        }
+    }
+}
+
+impl From<TaskError> for Failure {
+    fn from(error: TaskError) -> Self {
+        match error {
+            TaskError::Asked(detail) => Self::input(detail),
+            error => Self::other(error),
         }
     }
 }

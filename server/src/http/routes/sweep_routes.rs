@@ -8,6 +8,7 @@ use axum::extract::State;
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use documents::sweep::designs_of;
+use serde::Deserialize;
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
 
@@ -17,13 +18,12 @@ use crate::http::edge::document_body::{Document, SweepBody};
 use crate::http::edge::extract::{Params, RemovalQuery, SweepId, SweepPath};
 use crate::http::edge::problem_document::Problem;
 use crate::http::routes::entry_list::PageQuery;
-use crate::http::routes::study_routes::{
-    SubmitQuery, idempotency_key, priority, refused, unsubmitted,
-};
+use crate::http::routes::study_routes::{idempotency_key, priority, refused, unsubmitted};
+use crate::http::routes::upkeep::engine_routes::willing;
 use service::forecast::{admit, forecast_sweep, plan_study};
 use service::study_document::stored_base;
 use service::wire::entry_change::{self, EntryChange, read_change};
-use service::wire::examples::{absent, crowded, faults};
+use service::wire::examples::{absent, crowded, faults, unknown_engine, unwilling};
 use service::wire::study_wire::ProblemDocument;
 use service::wire::sweep_examples as examples;
 use service::wire::sweep_wire::{
@@ -49,6 +49,7 @@ pub(crate) fn router() -> OpenApiRouter<AppState> {
 #[utoipa::path(post, path = "/v1/sweeps", tag = "sweeps",
     params(
         ("priority" = Option<i64>, Query, description = "Priority of all its studies: those of a higher one go first, those of the same in turns; 0 when left out", minimum = -100, maximum = 100, example = 10),
+        ("engine" = Option<String>, Query, description = "Engine of `GET /v1/engines` whose machines solve the designs; what they leave is solved here. The same answer, whoever solves", example = "slurm"),
         ("Idempotency-Key" = Option<String>, Header, description = "1 to 255 visible ASCII characters that stand for this submission", example = "walls-17")),
     request_body(description = "A sweep, as JSON or TOML", content(
         (SweepDocument = "application/json", example = json!(examples::document())),
@@ -65,20 +66,36 @@ pub(crate) fn router() -> OpenApiRouter<AppState> {
         (status = 429, description = "Too many studies would wait; `Retry-After` says when to look again", body = ProblemDocument, content_type = "application/problem+json",
             headers(("Retry-After" = String, description = "Seconds after which to try again")), example = json!(crowded())),
         (status = 422, description = "The document has faults: all of them, each with its JSON pointer; or a design would take more memory than there is; or the key stands for another document",
-            body = ProblemDocument, content_type = "application/problem+json", example = json!(faults()))))]
+            body = ProblemDocument, content_type = "application/problem+json", example = json!(faults())),
+        (status = 503, description = "The engine is missing, or refuses, in its own words", body = ProblemDocument, content_type = "application/problem+json", example = json!(unwilling()))))]
 async fn submit_sweep(
     State(state): State<AppState>,
-    Params(query): Params<SubmitQuery>,
+    Params(query): Params<SweepQuery>,
     headers: HeaderMap,
     SweepBody { sweep }: SweepBody,
 ) -> Result<Response, Problem> {
     let key = idempotency_key(&headers)?;
     let priority = priority(query.priority.as_deref())?;
+    let engine = willing(&state.away, query.engine.as_deref()).await?;
     admit_all(&state, sweep.designs.iter().map(|design| &design.study)).await?;
-    let submitted = state.queue.submit_sweep(&sweep, priority, key).await;
-    let id = submitted.map_err(unsubmitted)?;
+    let submitted = state.queue.submit_sweep(&sweep, priority, key, engine);
+    let id = submitted.await.map_err(unsubmitted)?;
+    state.away.look();
     tracing::info!(sweep = id, name = ?sweep.name, designs = sweep.designs.len(), "sweep accepted");
     accepted(&state.store, &id).await
+}
+
+/// Query of a sweep that is submitted.
+#[derive(Deserialize)]
+struct SweepQuery {
+    priority: Option<String>,
+    engine: Option<String>,
+}
+
+/// Query of a sweep that goes on.
+#[derive(Deserialize)]
+struct EngineQuery {
+    engine: Option<String>,
 }
 
 /// Refuses designs that would take more memory than they may.
@@ -204,18 +221,24 @@ async fn extend_sweep(
 /// Resume a sweep
 ///
 /// Puts designs that were cancelled or failed back into the queue, as new studies. What they had solved is kept; those with a result stay as they are.
-#[utoipa::path(post, path = "/v1/sweeps/{id}/resume", tag = "sweeps", params(SweepPath),
+#[utoipa::path(post, path = "/v1/sweeps/{id}/resume", tag = "sweeps", params(SweepPath,
+        ("engine" = Option<String>, Query, description = "Engine of `GET /v1/engines` whose machines solve what the sweep lacks", example = "slurm")),
     responses((status = 202, description = "Taken in", body = SweepDetail, headers(("Location" = String, description = "Address of the sweep"), ("Retry-After" = String, description = "Seconds after which to look"))),
               (status = 404, description = "There is no such sweep", body = ProblemDocument, content_type = "application/problem+json", example = json!(absent())),
               (status = 429, description = "Too many studies would wait", body = ProblemDocument, content_type = "application/problem+json",
-            headers(("Retry-After" = String, description = "Seconds after which to try again")), example = json!(crowded()))))]
+            headers(("Retry-After" = String, description = "Seconds after which to try again")), example = json!(crowded())),
+              (status = 422, description = "There is no such engine", body = ProblemDocument, content_type = "application/problem+json", example = json!(unknown_engine())),
+              (status = 503, description = "The engine is missing, or refuses, in its own words", body = ProblemDocument, content_type = "application/problem+json", example = json!(unwilling()))))]
 async fn resume_sweep(
     State(state): State<AppState>,
     SweepId(id): SweepId,
+    Params(query): Params<EngineQuery>,
 ) -> Result<Response, Problem> {
     let (sweep, _) = known(&state.store, &id).await?;
-    let resumed = state.queue.resume_sweep(&sweep).await;
+    let engine = willing(&state.away, query.engine.as_deref()).await?;
+    let resumed = state.queue.resume_sweep(&sweep, engine).await;
     resumed.map_err(unsubmitted)?;
+    state.away.look();
     accepted(&state.store, &id).await
 }
 

@@ -8,7 +8,7 @@ use sqlx::{Connection, SqlSafeStr, SqliteConnection};
 use crate::store_error::StoreError;
 
 /// The files of `migrations`, in order, each by its number and name.
-static CHANGES: [(&str, &str); 6] = [
+static CHANGES: [(&str, &str); 7] = [
     (
         "0001_tables",
         include_str!("../../../../migrations/0001_tables.sql"),
@@ -32,6 +32,10 @@ static CHANGES: [(&str, &str); 6] = [
     (
         "0006_model_runs",
         include_str!("../../../../migrations/0006_model_runs.sql"),
+    ),
+    (
+        "0007_sweep_engines",
+        include_str!("../../../../migrations/0007_sweep_engines.sql"),
     ),
 ];
 

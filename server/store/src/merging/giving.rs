@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use serde_json::json;
-use sqlx::Connection;
+use sqlx::{Connection, SqliteConnection};
 
 use super::target::Merging;
 use crate::Store;
@@ -44,24 +44,29 @@ impl Merging {
         }
         Store::open(file).await?.close().await?;
         let name = file.to_str();
-        self.attach(name.ok_or_else(|| refused("its path isn't UTF-8"))?)
-            .await?;
-        let given = self.fill(studies, keys).await;
-        self.detach().await?;
+        let name = name.ok_or_else(|| refused("its path isn't UTF-8"))?;
+        let mut writer = self.writer().await?;
+        writer.attach(name).await?;
+        let given = fill(writer.connection(), studies, keys).await;
+        writer.detach().await?;
         given?;
         // Opened once more its rows have their seals.
         Store::open(file).await?.close().await
     }
+}
 
-    async fn fill(&mut self, studies: &[String], keys: &[String]) -> Result<(), StoreError> {
-        let [studies, keys] = [studies, keys].map(|list| json!(list).to_string());
-        let mut transaction = self.connection.begin().await?;
-        let of_studies = [STUDIES, EVENTS].map(|statement| (statement, &studies));
-        let of_points = POINTS.map(|statement| (statement, &keys));
-        for (statement, list) in of_studies.into_iter().chain(of_points) {
-            let filled = sqlx::query(statement).bind(list);
-            filled.execute(&mut *transaction).await?;
-        }
-        Ok(transaction.commit().await?)
+async fn fill(
+    connection: &mut SqliteConnection,
+    studies: &[String],
+    keys: &[String],
+) -> Result<(), StoreError> {
+    let [studies, keys] = [studies, keys].map(|list| json!(list).to_string());
+    let mut transaction = connection.begin().await?;
+    let of_studies = [STUDIES, EVENTS].map(|statement| (statement, &studies));
+    let of_points = POINTS.map(|statement| (statement, &keys));
+    for (statement, list) in of_studies.into_iter().chain(of_points) {
+        let filled = sqlx::query(statement).bind(list);
+        filled.execute(&mut *transaction).await?;
     }
+    Ok(transaction.commit().await?)
 }

@@ -21,10 +21,10 @@ const START_STATES: &str = "insert into main.start_states select * from other.st
 const MODEL_RUNS: &str = "insert or replace into main.model_runs select o.* from other.model_runs o left join main.model_runs m on m.key = o.key
      where m.key is null or m.outputs is null and o.outputs is not null";
 
-/// Studies that come to an end by what the other database has of them: those that aren't here, and those that are and have none, or failed where they are done there.
+/// Studies that come to an end by what the other database has of them: those that aren't here, and those that are and have none, or failed where they are done there; cancelled ones where that is asked.
 const ENDING: &str = "create temp table ending as
      select o.id, m.id is not null as is_known from other.studies o left join main.studies m on m.id = o.id
-     where o.state = 'done' and m.state is not 'done' or o.state = 'failed' and (m.state is null or m.state in ('queued', 'running'))";
+     where o.state = 'done' and m.state is not 'done' and (?1 or m.state is not 'cancelled') or o.state = 'failed' and (m.state is null or m.state in ('queued', 'running'))";
 /// A study's place is at the end of the ring of turns.
 const STUDIES: &str = "insert into main.studies
      (id, name, spec, spec_sha256, state, priority, place, points_total, points_done, estimate, error, created, started, finished, archived)
@@ -87,7 +87,9 @@ pub(super) async fn take(
             counted(connection, "select count(*) from other.model_runs", new).await?;
     }
     if taken != Taken::Points {
-        (merged.studies, merged.ended) = studies(connection, with_points).await?;
+        // A machine may be done with what was cancelled meanwhile.
+        let and_cancelled = taken != Taken::Solved;
+        (merged.studies, merged.ended) = studies(connection, with_points, and_cancelled).await?;
     }
     if is(&[Taken::Everything, Taken::Results]) {
         let new = run(connection, SWEEPS, None).await?;
@@ -115,8 +117,9 @@ async fn points(connection: &mut SqliteConnection) -> Result<Counted, StoreError
 async fn studies(
     connection: &mut SqliteConnection,
     with_points: bool,
+    and_cancelled: bool,
 ) -> Result<(Counted, u64), StoreError> {
-    run(connection, ENDING, None).await?;
+    run(connection, ENDING, Some(and_cancelled)).await?;
     let new = run(connection, STUDIES, Some(with_points)).await?;
     let ended = run(connection, ENDED_STUDIES, Some(with_points)).await?;
     if with_points {
@@ -141,15 +144,15 @@ async fn estimators(connection: &mut SqliteConnection) -> Result<Counted, StoreE
     counted(connection, all, new).await
 }
 
-/// Runs a statement, which may ask whether points come along; returns how many rows it changed.
+/// Runs a statement, which may ask a question; returns how many rows it changed.
 async fn run(
     connection: &mut SqliteConnection,
     statement: &'static str,
-    with_points: Option<bool>,
+    is: Option<bool>,
 ) -> Result<u64, StoreError> {
     let query = sqlx::query(statement);
-    let query = match with_points {
-        Some(with_points) => query.bind(with_points),
+    let query = match is {
+        Some(is) => query.bind(is),
         None => query,
     };
     Ok(query.execute(connection).await?.rows_affected())

@@ -1,8 +1,10 @@
 //! A database that takes others in, file by file.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
-use sqlx::{Connection, SqliteConnection};
+use sqlx::pool::PoolConnection;
+use sqlx::{Connection, Sqlite, SqliteConnection};
 
 use super::differing::{self, Difference};
 use super::parts::{Merged, Taken};
@@ -15,6 +17,7 @@ use crate::file::place::Place;
 use crate::file::unfinished::Unfinished;
 use crate::file::{opening, upkeep};
 use crate::points::evaluations;
+use crate::queue::event_rows;
 use crate::store_error::StoreError;
 
 /// Settings for taking in much at once: with a rollback journal new pages are written once, where the log and its checkpoint write them twice; 64 MB of them in memory are
@@ -42,17 +45,37 @@ impl WholeFile {
     }
 }
 
-/// A database that takes others in, for this process alone.
+/// A database that takes others in.
 #[derive(Debug)]
 pub struct Merging {
     place: Place,
-    pub(super) connection: SqliteConnection,
-    // Last: SQLite closes its descriptors first.
-    _lock: DatabaseLock,
+    held: Held,
+}
+
+/// Way in which a database is held.
+#[derive(Debug)]
+enum Held {
+    /// Database that this alone has.
+    Alone {
+        connection: SqliteConnection,
+        // Last: SQLite closes its descriptors first.
+        _lock: DatabaseLock,
+    },
+    /// Database with other work of this process, which waits only while rows are copied.
+    Open {
+        reader: SqliteConnection,
+        store: Arc<Store>,
+    },
+}
+
+/// Connection that writes, for a while.
+pub(super) enum Writer<'m> {
+    Alone(&'m mut SqliteConnection),
+    Open(PoolConnection<Sqlite>),
 }
 
 impl Merging {
-    /// Opens or creates the database, and brings its tables up to date.
+    /// Opens or creates the database for this alone, and brings its tables up to date.
     ///
     /// # Errors
     /// [`StoreError::InUse`] when another process has it; when it can't be written.
@@ -64,8 +87,23 @@ impl Merging {
         }
         Ok(Self {
             place: Place::of(database)?,
-            connection,
-            _lock: lock,
+            held: Held::Alone {
+                connection,
+                _lock: lock,
+            },
+        })
+    }
+
+    /// Takes others in beside what else is done with an open database.
+    ///
+    /// # Errors
+    /// When it can't be read.
+    pub async fn beside(store: Arc<Store>) -> Result<Self, StoreError> {
+        let place = store.place().clone();
+        let reader = opening::to_read(&place.named).await?;
+        Ok(Self {
+            place,
+            held: Held::Open { reader, store },
         })
     }
 
@@ -107,7 +145,7 @@ impl Merging {
         let keys: Vec<String> = keys.fetch_all(&mut theirs).await?;
         theirs.close().await?;
         let asked: Vec<&str> = keys.iter().map(String::as_str).collect();
-        let known = evaluations::known(&mut self.connection, &asked).await?;
+        let known = evaluations::known(self.connection(), &asked).await?;
         Ok((studies, keys.len() - known.len()))
     }
 
@@ -122,59 +160,94 @@ impl Merging {
         };
         let name = file.copy.path().to_str();
         let name = name.ok_or_else(|| refused("its path isn't UTF-8".to_owned()))?;
-        self.attach(name).await?;
-        let merged = self.take_attached(taken).await;
-        self.detach().await?;
+        let mut writer = self.writer().await?;
+        writer.attach(name).await?;
+        let merged = take_attached(writer.connection(), taken).await;
+        writer.detach().await?;
         match merged? {
-            Ok(merged) => Ok(merged),
+            Ok((merged, event)) => {
+                if let Held::Open { store, .. } = &self.held {
+                    store.committed(event)?;
+                }
+                Ok(merged)
+            }
             Err(difference) => {
                 let mut theirs = file.open().await?;
-                let said = difference.told(&mut self.connection, &mut theirs).await;
+                let said = difference.told(self.connection(), &mut theirs).await;
                 theirs.close().await?;
                 Err(refused(said?))
             }
         }
     }
 
-    /// Attaches another database as `other`.
-    pub(super) async fn attach(&mut self, path: &str) -> Result<(), StoreError> {
-        let attached = sqlx::query("attach database ? as other").bind(path);
-        attached.execute(&mut self.connection).await?;
-        Ok(())
+    /// The connection that writes, from which whoever else writes is kept meanwhile.
+    pub(super) async fn writer(&mut self) -> Result<Writer<'_>, StoreError> {
+        Ok(match &mut self.held {
+            Held::Alone { connection, .. } => Writer::Alone(connection),
+            Held::Open { store, .. } => Writer::Open(store.writer().await?),
+        })
     }
 
-    /// Takes that one off again.
-    pub(super) async fn detach(&mut self) -> Result<(), StoreError> {
-        let detached = sqlx::query("detach database other");
-        detached.execute(&mut self.connection).await?;
-        Ok(())
-    }
-
-    /// Takes what the attached database has, or says what it has otherwise.
-    async fn take_attached(
-        &mut self,
-        taken: Taken,
-    ) -> Result<Result<Merged, Difference>, StoreError> {
-        let mut transaction = self.connection.begin_with("begin immediate").await?;
-        if let Some(difference) = differing::first(&mut transaction, taken).await? {
-            transaction.rollback().await?;
-            return Ok(Err(difference));
-        }
-        let merged = taking::take(&mut transaction, taken).await?;
-        transaction.commit().await?;
-        Ok(Ok(merged))
-    }
-
-    /// Connection of the database.
+    /// A connection that reads the database.
     pub fn connection(&mut self) -> &mut SqliteConnection {
-        &mut self.connection
+        match &mut self.held {
+            Held::Alone { connection, .. } => connection,
+            Held::Open { reader, .. } => reader,
+        }
     }
 
-    /// Closes the database, which folds its log into the file.
+    /// Closes what was opened for this: of a database that it had alone, the log is folded into the file.
     ///
     /// # Errors
     /// When it can't be written.
     pub async fn close(self) -> Result<(), StoreError> {
-        Ok(self.connection.close().await?)
+        match self.held {
+            Held::Alone { connection, .. } => Ok(connection.close().await?),
+            Held::Open { reader, .. } => Ok(reader.close().await?),
+        }
     }
+}
+
+impl Writer<'_> {
+    pub(super) fn connection(&mut self) -> &mut SqliteConnection {
+        match self {
+            Self::Alone(connection) => connection,
+            Self::Open(connection) => connection,
+        }
+    }
+
+    /// Attaches another database as `other`.
+    pub(super) async fn attach(&mut self, path: &str) -> Result<(), StoreError> {
+        let attached = sqlx::query("attach database ? as other").bind(path);
+        attached.execute(self.connection()).await?;
+        Ok(())
+    }
+
+    /// Takes that one off again.
+    pub(super) async fn detach(mut self) -> Result<(), StoreError> {
+        let detached = sqlx::query("detach database other").execute(self.connection());
+        let detached = detached.await;
+        if let (Err(_), Self::Open(connection)) = (&detached, self) {
+            // Nobody else gets it with what is attached.
+            connection.close().await?;
+        }
+        detached?;
+        Ok(())
+    }
+}
+
+/// Takes what the attached database has, and says which event is the latest then; or what it has otherwise.
+async fn take_attached(
+    connection: &mut SqliteConnection,
+    taken: Taken,
+) -> Result<Result<(Merged, i64), Difference>, StoreError> {
+    let mut transaction = connection.begin_with("begin immediate").await?;
+    if let Some(difference) = differing::first(&mut transaction, taken).await? {
+        transaction.rollback().await?;
+        return Ok(Err(difference));
+    }
+    let merged = taking::take(&mut transaction, taken).await?;
+    let event = event_rows::latest(&mut transaction).await?;
+    transaction.commit().await?;
+    Ok(Ok((merged, event)))
 }

@@ -9,6 +9,7 @@
 //! - [`short_names`]: the newest of them, and those whose identifiers begin so
 //! - [`idempotency`]: keys of repeated requests
 
+pub mod engine_rows;
 pub mod estimator_parts;
 pub mod estimator_rows;
 pub mod estimator_zeros;

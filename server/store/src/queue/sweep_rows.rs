@@ -237,6 +237,38 @@ pub async fn designs(
     Ok(rows.into_iter().map(design).collect())
 }
 
+/// Answer to whether anybody waits for a sweep.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Openness {
+    /// A design waits or is being solved.
+    Open,
+    /// All of its designs have ended.
+    Ended,
+    /// No such sweep is there.
+    Gone,
+}
+
+/// Whether anybody waits for a sweep.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn openness(
+    connection: &mut SqliteConnection,
+    sweep: &str,
+) -> Result<Openness, StoreError> {
+    let query = "select exists (select 1 from sweeps where id = ?1),
+                 exists (select 1 from sweep_designs join studies on studies.id = study where sweep = ?1 and state in ('queued', 'running'))";
+    let (is_there, is_open): (bool, bool) = sqlx::query_as(query)
+        .bind(sweep)
+        .fetch_one(connection)
+        .await?;
+    Ok(match (is_there, is_open) {
+        (_, true) => Openness::Open,
+        (true, false) => Openness::Ended,
+        (false, false) => Openness::Gone,
+    })
+}
+
 /// The sweep that a study is a design of.
 ///
 /// # Errors

@@ -1,6 +1,6 @@
 //! Turns of the studies.
 //!
-//! The waiting studies stand in a line. The foremost of those with the highest priority is claimed; when its turn is over and
+//! The waiting studies stand in a line, those that other machines are to solve apart. The foremost of those with the highest priority is claimed; when its turn is over and
 //! it hasn't ended, it goes to the end of the line. So every study has its turn before any of its priority has a second one.
 
 use sqlx::SqliteConnection;
@@ -9,13 +9,24 @@ use crate::clock::now;
 use crate::queue::study_rows::StudyRow;
 use crate::store_error::StoreError;
 
+/// Condition of a study that waits for its turn, and that no other machine is to solve.
+macro_rules! waits_here {
+    () => {
+        "state = 'queued' and not exists (select 1 from sweep_designs join sweep_engines on sweep_engines.sweep = sweep_designs.sweep
+         where sweep_designs.study = studies.id and sweep_engines.ended is null)"
+    };
+}
+
 /// The identifier of the study whose turn is next.
 ///
 /// # Errors
 /// When the database can't be read.
 pub async fn next(connection: &mut SqliteConnection) -> Result<Option<String>, StoreError> {
-    let query =
-        "select id from studies where state = 'queued' order by priority desc, place limit 1";
+    let query = concat!(
+        "select id from studies where ",
+        waits_here!(),
+        " order by priority desc, place limit 1"
+    );
     Ok(sqlx::query_scalar(query).fetch_optional(connection).await?)
 }
 
@@ -36,7 +47,11 @@ pub async fn is_awaited(
     connection: &mut SqliteConnection,
     priority: i64,
 ) -> Result<bool, StoreError> {
-    let query = "select exists (select 1 from studies where state = 'queued' and priority >= ?)";
+    let query = concat!(
+        "select exists (select 1 from studies where ",
+        waits_here!(),
+        " and priority >= ?)"
+    );
     Ok(sqlx::query_scalar(query)
         .bind(priority)
         .fetch_one(connection)

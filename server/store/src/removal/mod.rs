@@ -29,7 +29,8 @@ const OF_STUDY: [&str; 6] = [
 ];
 
 /// Rows that belong to one sweep, but for the studies of its designs.
-const OF_SWEEP: [&str; 3] = [
+const OF_SWEEP: [&str; 4] = [
+    "delete from sweep_engines where sweep = ?",
     "delete from sweep_designs where sweep = ?",
     "delete from sweep_keys where sweep = ?",
     "delete from sweeps where id = ?",

@@ -237,7 +237,14 @@ async fn analyses(app: &App) -> Asked {
 
 async fn service(app: &App) -> Asked {
     let mut session = Session::new(app);
-    for path in ["/healthz", "/readyz", "/metrics", "/docs", "/login"] {
+    for path in [
+        "/healthz",
+        "/readyz",
+        "/metrics",
+        "/v1/engines",
+        "/docs",
+        "/login",
+    ] {
         session.ask(Method::GET, path, None).await;
     }
     session.ask(Method::POST, "/login", None).await;

@@ -3,6 +3,7 @@ import { test } from "node:test";
 import type { DesignView, StudySummary, SweepDetail } from "../../wire.ts";
 import {
   countsText,
+  tasksText,
   designsOf,
   designsOver,
   designsToResume,
@@ -76,4 +77,11 @@ test("what is varied is told path by path", () => {
   assert.ok(nameSaysAll(design(1, {})));
   assert.ok(!nameSaysAll(named));
   assert.ok(nameSaysAll(design(1, {}, { name: "unchanged", set: {} })));
+});
+
+test("tasks elsewhere are told by where they stand, with the reason why they wait", () => {
+  const tasks = { waiting: 3, running: 2, ended: 5 };
+  assert.equal(tasksText({ tasks, because: "Resources" }), "3 waiting (Resources), 2 running, 5 ended");
+  assert.equal(tasksText({ tasks: { waiting: 0, running: 0, ended: 4 }, because: null }), "4 ended");
+  assert.equal(tasksText({ tasks: { waiting: 0, running: 0, ended: 0 }, because: null }), "being made");
 });

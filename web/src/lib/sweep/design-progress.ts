@@ -1,6 +1,6 @@
 /** How far a sweep is, and what its designs set. Pure: time comes in as a number. */
 
-import type { DesignView, State, SweepDetail, SweepSummary } from "../../wire.ts";
+import type { AwaySweep, DesignView, State, SweepDetail, SweepSummary } from "../../wire.ts";
 import { isOver, milliseconds, share } from "../study/point-progress.ts";
 
 /** In the order in which designs go through them. */
@@ -20,6 +20,18 @@ export function countsText(sweep: SweepSummary): string {
   return STATES.filter((state) => sweep.counts[state] > 0)
     .map((state) => `${sweep.counts[state]} ${state}`)
     .join(", ");
+}
+
+/** Tasks of a sweep on other machines by where they stand, in words. */
+export function tasksText({ tasks, because }: Pick<AwaySweep, "tasks" | "because">): string {
+  const reason = because == null ? "" : ` (${because})`;
+  const parts: [number, string][] = [
+    [tasks.waiting, `${tasks.waiting} waiting${reason}`],
+    [tasks.running, `${tasks.running} running`],
+    [tasks.ended, `${tasks.ended} ended`],
+  ];
+  const told = parts.filter(([count]) => count > 0).map(([, words]) => words);
+  return told.length === 0 ? "being made" : told.join(", ");
 }
 
 /** Designs that a resumption would put back into the queue. */

@@ -11,6 +11,8 @@ import { partOf, type Store } from "../store.ts";
 
 export interface SweepDraftActions {
   edit(change: Partial<Pick<SweepDraft, "name" | "grid">>): void;
+  /** Chooses whose machines solve it. */
+  choose(engine: string | null): void;
   /** Checks what is written, and asks what it would take. */
   estimate(): Promise<void>;
   /** Submits what was estimated. */
@@ -31,22 +33,25 @@ export function createSweepDraft(store: Store, onSubmitted: (route: Route) => vo
     const name = draft.get().name.trim();
     const document = { ...(name === "" ? {} : { name }), study: parsed.document, grid: grid.document };
     set({ busy: "estimating", problem: null, estimated: null });
-    const answer = await answerTo(api.estimateSweep(document));
+    const [answer, there] = await Promise.all([answerTo(api.estimateSweep(document)), answerTo(api.engines())]);
     if (answer.status === "failed") return set({ busy: null, problem: answer.problem });
-    set({ busy: null, estimated: { estimate: answer.value, text, document, idempotencyKey: newKey() } });
+    // Without its list of engines the service solves it all the same.
+    const engines: string[] = there.status === "ready" ? there.value.map(({ name }) => name) : [];
+    set({ busy: null, estimated: { estimate: answer.value, engines, text, document, idempotencyKey: newKey() } });
   }
 
   async function submit(): Promise<void> {
-    const { estimated } = draft.get();
+    const { estimated, engine } = draft.get();
     if (estimated === null) return;
     set({ busy: "sending", problem: null });
-    const answer = await answerTo(api.submitSweep(estimated.document, estimated.idempotencyKey));
+    const own = estimated.engines.includes(engine ?? "") ? engine : null;
+    const answer = await answerTo(api.submitSweep(estimated.document, own, estimated.idempotencyKey));
     if (answer.status === "failed") return set({ busy: null, problem: answer.problem });
     set({ busy: null, estimated: null });
     onSubmitted(sweepRoute(answer.value.id));
   }
 
-  return { edit, estimate, submit };
+  return { edit, choose: (engine) => set({ engine }), estimate, submit };
 }
 
 function unreadable(detail: string, errors: Fault[]): Partial<SweepDraft> {

@@ -76,6 +76,7 @@ function SweepSteps({ draft, text, actions }: { draft: SweepDraft; text: string;
       <>
         <Estimated estimate={estimated.estimate} />
         <div class="actions">
+          <EngineChoice engines={estimated.engines} chosen={draft.engine} onChoice={actions.sweepDraft.choose} />
           <button type="button" class="primary" disabled={busy !== null} onClick={() => void actions.sweepDraft.submit()}>
             {busy === "sending" ? "Sending …" : `Run ${estimated.estimate.designs.length} designs`}
           </button>
@@ -91,6 +92,30 @@ function SweepSteps({ draft, text, actions }: { draft: SweepDraft; text: string;
       </button>
       {count > 0 && <p class="quiet">{count === 1 ? "1 design" : `${integer(count)} designs`}</p>}
     </div>
+  );
+}
+
+interface ChoiceProps {
+  engines: string[];
+  chosen: string | null;
+  onChoice: (engine: string | null) => void;
+}
+
+/** Whose machines solve the designs, where there are others than the service's. */
+function EngineChoice({ engines, chosen, onChoice }: ChoiceProps) {
+  if (engines.length === 0) return null;
+  return (
+    <label>
+      solved by{" "}
+      <select value={chosen ?? ""} onChange={(event) => onChoice(event.currentTarget.value === "" ? null : event.currentTarget.value)}>
+        <option value="">this service</option>
+        {engines.map((engine) => (
+          <option key={engine} value={engine}>
+            machines of {engine}
+          </option>
+        ))}
+      </select>
+    </label>
   );
 }
 

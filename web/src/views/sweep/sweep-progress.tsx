@@ -1,8 +1,17 @@
 import { duration, integer } from "../../lib/format.ts";
 import { isOver } from "../../lib/study/point-progress.ts";
-import { countsText, designsOf, designsOver, designsToResume, sweepSecondsLeft, sweepShare, workedSeconds } from "../../lib/sweep/design-progress.ts";
+import {
+  countsText,
+  designsOf,
+  designsOver,
+  designsToResume,
+  sweepSecondsLeft,
+  sweepShare,
+  tasksText,
+  workedSeconds,
+} from "../../lib/sweep/design-progress.ts";
 import type { Actions } from "../../state/actions.ts";
-import type { OpenSweep } from "../../state/app-state.ts";
+import type { Away, OpenSweep } from "../../state/app-state.ts";
 import type { SweepDetail } from "../../wire.ts";
 import { Facts } from "../shared/facts.tsx";
 import { ProblemBox } from "../shared/problem-box.tsx";
@@ -18,20 +27,22 @@ interface Props {
 export function SweepProgress({ open, sweep, now_ms, actions }: Props) {
   return (
     <section class="panel" aria-label="Progress">
-      <p role="status">{outcome(sweep)}</p>
+      <p role="status">{outcome(sweep, open.away)}</p>
       <progress class="wide" max={1} value={sweepShare(sweep)} aria-label="Designs done">
         {designsOver(sweep)} of {designsOf(sweep)}
       </progress>
       <Standing sweep={sweep} now_ms={now_ms} />
+      {open.away !== null && <Elsewhere away={open.away} />}
       {open.problem !== null && <ProblemBox problem={open.problem} />}
       {isOver(sweep.state) ? <Resume sweep={sweep} actions={actions} /> : <Cancel open={open} actions={actions} />}
     </section>
   );
 }
 
-function outcome(sweep: SweepDetail): string {
+function outcome(sweep: SweepDetail, away: Away | null): string {
   const { done } = sweep.counts;
   const all = designsOf(sweep);
+  if (away?.ended === null && !isOver(sweep.state)) return `Other machines solve the designs, as tasks of ${away.engine}.`;
   switch (sweep.state) {
     case "queued":
       return "Waiting for a free solver.";
@@ -52,6 +63,21 @@ function Standing({ sweep, now_ms }: { sweep: SweepDetail; now_ms: number }) {
   ];
   if (!isOver(sweep.state)) facts.push(["Time left", duration(sweepSecondsLeft(sweep, now_ms))]);
   return <Facts facts={facts} />;
+}
+
+/** What other machines do, or did. */
+function Elsewhere({ away }: { away: Away }) {
+  const refused = away.refused.map(({ because }) => because);
+  return (
+    <>
+      <Facts facts={[[`Tasks of ${away.engine}`, tasksText(away)]]} />
+      {[...refused, ...away.said].map((words) => (
+        <p key={words} class="quiet">
+          {words}
+        </p>
+      ))}
+    </>
+  );
 }
 
 function Cancel({ open, actions }: { open: OpenSweep; actions: Actions }) {

@@ -22,7 +22,7 @@ use crate::http::app_state::AppState;
 use crate::http::edge::access::Access;
 use crate::http::mount::Mount;
 use crate::http::routes::openapi::generator_idioms;
-use crate::http::routes::upkeep::{health, login_routes, metric_routes};
+use crate::http::routes::upkeep::{engine_routes, health, login_routes, metric_routes};
 use crate::http::routes::{
     analysis_routes, answers, assets, at_once, comparison_routes, estimators, event_routes,
     preset_routes, study_routes, sweep_routes,
@@ -125,6 +125,7 @@ pub(crate) fn routes() -> OpenApiRouter<AppState> {
         .merge(preset_routes::router())
         .merge(health::router())
         .merge(login_routes::router())
+        .merge(engine_routes::router())
         .merge(metric_routes::router())
         .merge(router())
 }

@@ -15,6 +15,7 @@ use crate::http::app_state::AppState;
 use crate::http::edge::problem_document::Problem;
 use service::metrics::{MEDIA_TYPE, Metrics, Snapshot};
 use store::queue::{estimator_rows, study_rows};
+use tasks::away::away_report::EngineView;
 
 /// Label of what no route answers: the dashboard's files, and what isn't there.
 const NO_ROUTE: &str = "other";
@@ -26,15 +27,17 @@ pub(crate) fn router() -> OpenApiRouter<AppState> {
 
 /// Measure the service
 ///
-/// For Prometheus: studies and estimators by state, points by what came of them, times of solves and requests, sizes. The format is OpenMetrics text.
+/// For Prometheus: studies, estimators and tasks of engines by state, points by what came of them, times of solves and requests, sizes. The format is OpenMetrics text.
 #[utoipa::path(get, path = "/metrics", tag = "service",
     responses((status = 200, description = "The measurements", content_type = "application/openmetrics-text", body = String,
         example = json!("# HELP strainsite_studies Studies by state.\n# TYPE strainsite_studies gauge\nstrainsite_studies{state=\"queued\"} 2\n# EOF\n"))))]
 async fn metrics(State(state): State<AppState>) -> Result<Response, Problem> {
+    let engines = state.away.list().await?.engines;
     let mut connection = state.store.read().await?;
     let snapshot = Snapshot {
         studies: study_rows::counts(&mut connection).await?,
         estimators: estimator_rows::counts(&mut connection).await?,
+        engine_tasks: engines.iter().flat_map(EngineView::counts).collect(),
         database_bytes: state.store.bytes(),
         event_streams: state.streams.open(),
         memory_bytes: memory_bytes(),

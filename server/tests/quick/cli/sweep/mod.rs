@@ -6,6 +6,7 @@ use crate::cli::draft;
 use crate::program::{strainsite, text};
 
 mod elsewhere;
+mod served_engines;
 mod tasks;
 
 fn json(bytes: &[u8]) -> Value {
