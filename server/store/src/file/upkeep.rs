@@ -17,6 +17,7 @@ use crate::points::crashes;
 use crate::points::evaluations;
 use crate::points::model_runs;
 use crate::points::study_points;
+use crate::queue::engine_rows;
 use crate::queue::estimator_rows;
 use crate::queue::study_rows;
 use crate::queue::sweep_rows;
@@ -139,6 +140,9 @@ async fn check_study(connection: &mut SqliteConnection, id: &str) -> Result<(), 
 async fn check_sweep(connection: &mut SqliteConnection, id: &str) -> Result<(), StoreError> {
     if let Some(sweep) = sweep_rows::find(connection, id).await? {
         sweep.document()?;
+    }
+    if let Some(given) = engine_rows::find(connection, id).await? {
+        given.report()?;
     }
     sweep_rows::designs(connection, id).await.map(|_| ())
 }

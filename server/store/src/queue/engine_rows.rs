@@ -88,6 +88,19 @@ pub async fn end(
     Ok(())
 }
 
+/// The row of a sweep that an engine has or had.
+///
+/// # Errors
+/// [`StoreError::Damaged`] when it was changed; when the database can't be read.
+pub(crate) async fn find(
+    connection: &mut SqliteConnection,
+    sweep: &str,
+) -> Result<Option<EngineRow>, StoreError> {
+    seals::intact(connection, "sweep_engines", "sweep = ?", sweep).await?;
+    let row = sqlx::query_as("select * from sweep_engines where sweep = ?").bind(sweep);
+    Ok(row.fetch_optional(connection).await?)
+}
+
 /// Lists the sweeps whose tasks go on, and so many others, newest first.
 ///
 /// # Errors
