@@ -11,6 +11,7 @@ pub(crate) const RUN: &str = "Examples:
   strainsite run foot-tire
   strainsite run studies/foot-tire.toml --dry-run
   strainsite run studies/foot-tire.toml --set geometry.wall_mm=2.5 --set accuracy.preset=coarse --set name=thin
+  strainsite run studies/foot-tire.toml --set 'method={\"kind\":\"tensor\",\"nodes\":5}' --engine slurm
   strainsite run studies/foot-tire.toml --db tires.db --out answer --json result.json";
 
 /// Examples of `solve`.

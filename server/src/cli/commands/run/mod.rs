@@ -12,6 +12,8 @@ use results::StudyResult;
 use tokio::runtime::Runtime;
 
 use crate::cli::commands::run::study_runner::StudyRunner;
+use crate::cli::commands::sweep::asked::{stored_alone, with_engine};
+use crate::cli::commands::sweep::elsewhere::{Elsewhere, OwnMeans};
 use crate::cli::solver_option::SolverOption;
 use crate::cli::terminal::estimate_text::{dry_run, estimated};
 use crate::cli::terminal::exit::Failure;
@@ -20,10 +22,12 @@ use crate::cli::terminal::output::{JsonTarget, tell};
 use crate::cli::terminal::output_place::write;
 use crate::cli::terminal::report::next_steps::after_study;
 use crate::cli::terminal::report::report;
+use crate::cli::terminal::signals::stop_flag;
 use crate::config::Config;
 use service::export::{Export, ExportSources, FileFormat, Table};
-use service::forecast::forecast;
+use service::forecast::{admit, forecast};
 use service::study_document::{named_files, read_changed};
+use tasks::engines::Engine as OtherEngine;
 
 /// Run one study without the service
 #[derive(Debug, Args)]
@@ -37,8 +41,10 @@ pub struct Run {
     config: Config,
     #[command(flatten)]
     solver: SolverOption,
+    #[command(flatten)]
+    elsewhere: Elsewhere,
     /// Say what the study would cost, and solve nothing
-    #[arg(long, conflicts_with = "out")]
+    #[arg(long, conflicts_with_all = ["out", "engine"])]
     dry_run: bool,
     /// Write result.json and locations.csv into this folder, and of films' signals signals.csv, figure-4.svg and figure-5.svg
     #[arg(long, value_name = "DIR")]
@@ -64,8 +70,40 @@ impl Run {
         if self.dry_run {
             return self.estimate(&planned);
         }
+        if let Some(mut engine) = self.elsewhere.engine()? {
+            self.solve_elsewhere(&planned, engine.as_mut())?;
+        }
         let runner = StudyRunner::open(&self.config, &self.solver, &planned)?;
         runner.answered(&planned.study, |result| self.publish(result))
+    }
+
+    /// Has other machines solve the study, or parts of a large one.
+    fn solve_elsewhere(
+        &self,
+        planned: &Arc<PlannedStudy>,
+        engine: &mut dyn OtherEngine,
+    ) -> Result<(), Failure> {
+        let runtime = Runtime::new().map_err(Failure::other)?;
+        let stop = stop_flag(&runtime)?;
+        let solver = self.solver.solver().map_err(Failure::other)?;
+        let admitted = admit(
+            &solver,
+            self.config.threads(),
+            self.config.memory_bytes(),
+            planned,
+        );
+        let admitted = runtime.block_on(admitted);
+        admitted.map_err(|error| Failure::input(error.to_string()))?;
+        let sweep = with_engine(&runtime, &self.config, &self.solver, |engine| {
+            stored_alone(&runtime, engine, &planned.study)
+        })?;
+        let means = OwnMeans {
+            runtime: &runtime,
+            config: &self.config,
+            solver: &self.solver,
+            stop: &stop,
+        };
+        self.elsewhere.solve(means, &sweep, engine)
     }
 
     fn estimate(&self, planned: &Arc<PlannedStudy>) -> Result<(), Failure> {

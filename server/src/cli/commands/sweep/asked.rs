@@ -54,7 +54,7 @@ impl Asked {
         let planned = |path: &PathBuf| {
             let base = read_changed(path, &self.set).map_err(Failure::Input)?.study;
             if self.grid.is_empty() {
-                return Ok(self.alone(base));
+                return Ok(alone(base, self.name.as_deref()));
             }
             let grid = typed_grid(&self.grid).map_err(Failure::Input)?;
             sweep_of(base, self.name.as_deref(), &grid).map_err(Failure::Input)
@@ -65,21 +65,6 @@ impl Asked {
     /// Whether it is one study without a grid.
     pub(super) fn is_alone(&self) -> bool {
         self.study.is_some() && self.grid.is_empty()
-    }
-
-    /// A study as the only design.
-    fn alone(&self, base: Study) -> Plan {
-        let name = self.name.as_ref().unwrap_or(&base.name).clone();
-        let only = Design {
-            name: base.name.clone(),
-            set: Map::new(),
-            study: base.clone(),
-        };
-        Plan {
-            name,
-            base,
-            designs: vec![only],
-        }
     }
 
     /// The sweep, new or gone on with, in the database; none of its designs may take more memory than there is, bytes.
@@ -141,8 +126,36 @@ impl Asked {
     }
 }
 
+/// A study as the only design of a sweep of this name; of its own where none is given.
+fn alone(base: Study, name: Option<&str>) -> Plan {
+    let only = Design {
+        name: base.name.clone(),
+        set: Map::new(),
+        study: base.clone(),
+    };
+    Plan {
+        name: name.unwrap_or(&base.name).to_owned(),
+        base,
+        designs: vec![only],
+    }
+}
+
+/// Stores a study as a sweep whose only design it is.
+pub(crate) fn stored_alone(
+    runtime: &Runtime,
+    engine: &Engine,
+    study: &Study,
+) -> Result<SweepRow, Failure> {
+    let plan = alone(study.clone(), None);
+    let stored = runtime.block_on(async {
+        recover(&engine.store).await?;
+        new(&engine.store, &plan).await
+    });
+    stored.map_err(Failure::other)
+}
+
 /// Opens the database for a piece of work, and closes it whatever comes of that: its lock is free again.
-pub(super) fn with_engine<T>(
+pub(crate) fn with_engine<T>(
     runtime: &Runtime,
     config: &Config,
     solver: &SolverOption,

@@ -1,22 +1,27 @@
-//! `strainsite sweep --engine`: other machines solve the designs, as tasks, before what is left is solved here.
+//! `--engine` of `sweep` and `run`: other machines solve the designs, as tasks, before what is left is solved here.
 
 use std::cell::RefCell;
-use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
 use indicatif::ProgressBar;
-use tokio::runtime::Handle;
+use tokio::runtime::Runtime;
 
+use crate::cli::commands::sweep::asked::with_engine;
 use crate::cli::engine_options::EngineOptions;
+use crate::cli::solver_option::SolverOption;
 use crate::cli::terminal::exit::Failure;
 use crate::cli::terminal::output::warn;
 use crate::cli::terminal::progress::{count, counting_bar};
+use crate::cli::terminal::report::next_steps::shell_word;
+use crate::config::Config;
 use document::visible::visible;
 use store::merging::target::Merging;
+use store::queue::sweep_rows::SweepRow;
 use tasks::engines::engine_name::EngineName;
 use tasks::engines::{Engine, Standing};
-use tasks::packing::{Given, packed};
+use tasks::packing::{Given, Packer, packed};
+use tasks::rounds::Rounds;
 use tasks::rounds::head::{Head, Told, Wish};
 use tasks::task_error::TaskError;
 
@@ -25,25 +30,58 @@ const MACHINES: [usize; 4] = [1, 4, 16, 64];
 
 /// Machines that solve designs, as the command line names them.
 #[derive(Debug, Args)]
-pub(super) struct Elsewhere {
+pub(crate) struct Elsewhere {
     /// Have other machines solve the designs before what is left is solved here
     #[arg(long, value_enum, value_name = "NAME")]
     engine: Option<EngineName>,
     #[command(flatten)]
-    pub options: EngineOptions,
+    options: EngineOptions,
 }
 
 impl Elsewhere {
     /// Whether other machines are to solve anything.
-    pub(super) fn is_asked(&self) -> bool {
+    pub(crate) fn is_asked(&self) -> bool {
         self.engine.is_some()
     }
 
     /// The engine that is asked for.
-    pub(super) fn engine(&self) -> Result<Option<Box<dyn Engine>>, Failure> {
+    pub(crate) fn engine(&self) -> Result<Option<Box<dyn Engine>>, Failure> {
         let settings = self.options.settings();
         let engine = self.engine.map(|name| settings.engine(name));
         Ok(engine.transpose()?)
+    }
+
+    /// Has other machines solve what a sweep lacks; the database is free meanwhile.
+    pub(crate) fn solve(
+        &self,
+        own: OwnMeans<'_>,
+        sweep: &SweepRow,
+        engine: &mut dyn Engine,
+    ) -> Result<(), Failure> {
+        let database = &own.config.db;
+        let head = OwnHead {
+            own,
+            sweep: &sweep.id,
+            shown: RefCell::default(),
+        };
+        let rounds = Rounds {
+            runtime: own.runtime.handle(),
+            head: &head,
+            sweep: &sweep.id,
+            folder: self.options.folder(database).join(&sweep.id),
+            solver: own.solver.solver().map_err(Failure::other)?,
+            minutes: self.options.minutes,
+        };
+        rounds.solve(engine).map_err(|error| {
+            Failure::Other(format!(
+                "{}: strainsite sweep --resume {} --db {} goes on here, and with --engine there",
+                error.to_string().trim_end(),
+                sweep.id,
+                shell_word(database)
+            ))
+        })?;
+        self.options.tidy(database);
+        Ok(())
     }
 
     /// A line about the tasks of designs that take so long each on this machine, s, one after the other, and about machines like this one; none where no engine is asked for.
@@ -73,28 +111,50 @@ impl Elsewhere {
     }
 }
 
+/// Means of the command line to solve studies.
+#[derive(Clone, Copy)]
+pub(crate) struct OwnMeans<'m> {
+    pub runtime: &'m Runtime,
+    pub config: &'m Config,
+    pub solver: &'m SolverOption,
+    pub stop: &'m AtomicBool,
+}
+
 /// The command line as head of a sweep: it has the database for itself, and closes it while others work.
-pub(super) struct OwnHead<'h> {
-    pub runtime: &'h Handle,
-    pub database: &'h Path,
-    /// Tells what the sweep lacks, in tasks of so many minutes; the database is closed again when it returns.
-    pub lacking: Box<dyn Fn(f64) -> Result<Vec<Given>, TaskError> + 'h>,
-    pub stop: &'h AtomicBool,
+struct OwnHead<'h> {
+    own: OwnMeans<'h>,
+    sweep: &'h str,
     /// The bar of the round, and how many designs it has.
-    pub shown: RefCell<Option<(ProgressBar, usize)>>,
+    shown: RefCell<Option<(ProgressBar, usize)>>,
 }
 
 impl Head for OwnHead<'_> {
     fn lacking(&self, minutes: f64) -> Result<Vec<Given>, TaskError> {
-        (self.lacking)(minutes)
+        let OwnMeans {
+            runtime,
+            config,
+            solver,
+            stop,
+        } = self.own;
+        let packed = with_engine(runtime, config, solver, |engine| {
+            let packer = Packer {
+                runtime: runtime.handle(),
+                engine,
+                minutes,
+                stop,
+            };
+            Ok(packer.pack(self.sweep)?)
+        });
+        packed.map_err(|failure| TaskError::Failed(failure.to_string()))
     }
 
     fn merging(&self) -> Result<Merging, TaskError> {
-        Ok(self.runtime.block_on(Merging::open(self.database))?)
+        let database = &self.own.config.db;
+        Ok(self.own.runtime.block_on(Merging::open(database))?)
     }
 
     fn wish(&self) -> Wish {
-        match self.stop.load(Ordering::Relaxed) {
+        match self.own.stop.load(Ordering::Relaxed) {
             true => Wish::End,
             false => Wish::GoOn,
         }

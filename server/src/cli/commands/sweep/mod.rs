@@ -1,11 +1,10 @@
 //! `strainsite sweep`: one study over a grid of designs, without the service.
 
-mod asked;
+pub(crate) mod asked;
 mod designs;
-mod elsewhere;
+pub(crate) mod elsewhere;
 pub(crate) mod task_commands;
 
-use std::cell::RefCell;
 use std::sync::atomic::AtomicBool;
 
 use clap::Args;
@@ -17,14 +16,14 @@ use tokio::runtime::Runtime;
 use crate::cli::commands::compare::table;
 use crate::cli::commands::sweep::asked::{Asked, with_engine};
 use crate::cli::commands::sweep::designs::Crew;
-use crate::cli::commands::sweep::elsewhere::{Elsewhere, OwnHead};
+use crate::cli::commands::sweep::elsewhere::{Elsewhere, OwnMeans};
 use crate::cli::solver_option::SolverOption;
 use crate::cli::terminal::estimate_text::{dry_sweep, estimated};
 use crate::cli::terminal::exit::Failure;
 use crate::cli::terminal::files::Files;
 use crate::cli::terminal::output::{JsonTarget, tell};
 use crate::cli::terminal::progress::progress_bar;
-use crate::cli::terminal::report::next_steps::{after_sweep, shell_word};
+use crate::cli::terminal::report::next_steps::after_sweep;
 use crate::cli::terminal::signals::stop_flag;
 use crate::config::Config;
 use service::comparison::of_designs;
@@ -33,10 +32,6 @@ use service::forecast::forecast_sweep;
 use service::queue::sweeps::designs_of;
 use service::wire::sweep_wire::{DesignEstimate, SweepDetail};
 use store::queue::sweep_rows::SweepRow;
-use tasks::engines::Engine as OtherEngine;
-use tasks::packing::Packer;
-use tasks::rounds::Rounds;
-use tasks::task_error::TaskError;
 
 /// Run one study over a grid of designs, and compare them
 #[derive(Debug, Args)]
@@ -85,8 +80,13 @@ impl Sweep {
             None => self.with_engine(&runtime, |engine| solved(engine, &asked(engine)?))?,
             Some(mut other) => {
                 let sweep = self.with_engine(&runtime, asked)?;
-                self.solve_elsewhere(&runtime, &sweep, other.as_mut(), &stop)?;
-                self.elsewhere.options.tidy(&self.config.db);
+                let means = OwnMeans {
+                    runtime: &runtime,
+                    config: &self.config,
+                    solver: &self.solver,
+                    stop: &stop,
+                };
+                self.elsewhere.solve(means, &sweep, other.as_mut())?;
                 self.with_engine(&runtime, |engine| solved(engine, &sweep))?
             }
         };
@@ -127,52 +127,6 @@ impl Sweep {
         work: impl FnOnce(&Engine) -> Result<T, Failure>,
     ) -> Result<T, Failure> {
         with_engine(runtime, &self.config, &self.solver, work)
-    }
-
-    /// Has other machines solve what a sweep lacks.
-    fn solve_elsewhere(
-        &self,
-        runtime: &Runtime,
-        sweep: &SweepRow,
-        other: &mut dyn OtherEngine,
-        stop: &AtomicBool,
-    ) -> Result<(), Failure> {
-        let lacking = |minutes| {
-            self.with_engine(runtime, |engine| {
-                let packer = Packer {
-                    runtime: runtime.handle(),
-                    engine,
-                    minutes,
-                    stop,
-                };
-                Ok(packer.pack(&sweep.id)?)
-            })
-            .map_err(|failure| TaskError::Failed(failure.to_string()))
-        };
-        let head = OwnHead {
-            runtime: runtime.handle(),
-            database: &self.config.db,
-            lacking: Box::new(lacking),
-            stop,
-            shown: RefCell::default(),
-        };
-        let options = &self.elsewhere.options;
-        let rounds = Rounds {
-            runtime: runtime.handle(),
-            head: &head,
-            sweep: &sweep.id,
-            folder: options.folder(&self.config.db).join(&sweep.id),
-            solver: self.solver.solver().map_err(Failure::other)?,
-            minutes: options.minutes,
-        };
-        rounds.solve(other).map_err(|error| {
-            let (because, database) = (error.to_string(), shell_word(&self.config.db));
-            Failure::Other(format!(
-                "{}: strainsite sweep --resume {} --db {database} goes on here, and with --engine there",
-                because.trim_end(),
-                sweep.id
-            ))
-        })
     }
 
     fn run(

@@ -74,6 +74,23 @@ fn tasks_that_a_command_loses_are_given_again_and_what_is_left_is_solved_here() 
     assert!(text(&missing.stderr).contains("--engine-command"));
 }
 
+#[test]
+fn a_study_alone_is_run_by_an_engine() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let at = folder.path();
+    let does = r#"echo "$TASKS" >> rounds; "$PROGRAM" tasks run "$FOLDER" 1"#;
+    let run = ["run", draft(at), "--json", "-", "--engine", "command"];
+    let run = [&run[..], &["--engine-command", does]].concat();
+    let output = command(at, &run).output().expect("the program runs");
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let result = json(&output.stdout);
+    assert_eq!(lines(at, "rounds"), ["1"]);
+    assert_eq!(result["cost"]["reused"], result["cost"]["solves"]);
+    assert_eq!(result["locations"][0]["name"], "P3");
+    let dry = command(at, &[&run[..], &["--dry-run"]].concat()).output();
+    assert_eq!(dry.expect("the program runs").status.code(), Some(2));
+}
+
 /// Does the jobs of the array that `sbatch` was asked for, one after the other.
 const DO: &str = r#"
 for task in $(seq "$count"); do

@@ -193,6 +193,27 @@ async fn an_engine_outlives_its_service_and_ends_when_its_sweep_is_cancelled() {
 }
 
 #[tokio::test]
+async fn a_folder_that_is_away_is_waited_for() {
+    let folder = tempfile::tempdir().expect("temp dir");
+    let at = folder.path();
+    let every = r#"for task in $TASKS; do "$PROGRAM" tasks run "$FOLDER" $task; done"#;
+    fs::write(at.join("shared"), "no folder").expect("writes");
+    let program = Program::run(service(at, every).args(["--tasks", "shared/tasks"]));
+    let id = submitted(&program, &base(at)).await;
+    let waits = until(&program, &id, |away, _| away["said"] != json!([])).await;
+    let said = waits["said"].to_string();
+    assert!(
+        said.contains("shared/tasks") && said.contains("can't be written"),
+        "{said}"
+    );
+    fs::remove_file(at.join("shared")).expect("removes");
+    let over = until(&program, &id, |away, counts| {
+        !away["ended"].is_null() && counts["done"] == 3
+    });
+    assert_eq!(over.await["designs_ended"], 3);
+}
+
+#[tokio::test]
 async fn what_an_engine_says_against_a_sweep_is_what_the_client_reads() {
     let folder = tempfile::tempdir().expect("temp dir");
     let mut command = serving(&folder.path().join("own.db"));
