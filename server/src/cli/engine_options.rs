@@ -6,6 +6,7 @@ use clap::Args;
 
 use crate::config::minutes;
 use tasks::engines::engine_name::EngineSettings;
+use tasks::gathering::Kept;
 
 /// Options of engines.
 #[derive(Debug, Clone, Args)]
@@ -27,6 +28,15 @@ pub(crate) struct EngineOptions {
     /// Time that a task should take on this machine's threads, minutes
     #[arg(long, value_name = "N", default_value = "10", value_parser = minutes)]
     pub minutes: f64,
+    /// Part that is kept of what tasks hand in
+    #[arg(
+        long,
+        env = "STRAINSITE_KEEP",
+        value_enum,
+        value_name = "PART",
+        default_value = "everything"
+    )]
+    pub keep: Kept,
 }
 
 impl EngineOptions {

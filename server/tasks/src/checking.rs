@@ -11,7 +11,8 @@ use sqlx::{Connection, SqliteConnection};
 use crate::task_folder::Task;
 use service::study_document::stored_plan;
 use store::StoreError;
-use store::merging::target::{Merging, WholeFile};
+use store::merging::target::Merging;
+use store::merging::whole_file::WholeFile;
 use store::points::evaluations;
 use store::queue::study_rows::{self, State};
 

@@ -1,8 +1,8 @@
 //! Taking in what tasks handed in, each once one of its points gave the same bits here.
 
-use std::path::Path;
 use std::sync::Arc;
 
+use clap::ValueEnum;
 use fem_client::solver::Solver;
 use placement::sharing::{Part, PartPoint};
 use serde::Serialize;
@@ -13,6 +13,7 @@ use crate::task_folder::{Task, TaskFolder, Tasks};
 use store::StoreError;
 use store::merging::parts::{Merged, Taken};
 use store::merging::target::Merging;
+use store::merging::whole_file::WholeFile;
 use store::points::evaluations;
 use store::queue::study_rows;
 
@@ -36,6 +37,26 @@ pub struct Gathered {
     pub refused: Option<String>,
 }
 
+/// Extent of what is kept of what a task hands in.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
+pub enum Kept {
+    /// Points and results
+    #[default]
+    Everything,
+    /// Results alone, a quarter of the room: what a design needs that hasn't ended is solved again
+    Results,
+}
+
+impl Kept {
+    /// Part of a task's file that is taken: of a part of a study there are points alone.
+    fn taken(self, task: &Task) -> Taken {
+        match (self, task.part) {
+            (Self::Results, None) => Taken::Answers,
+            (Self::Everything, _) | (_, Some(_)) => Taken::Solved,
+        }
+    }
+}
+
 /// Hears how many rows of a file were read, and of how many.
 pub type Seen<'s> = &'s dyn Fn(usize, usize);
 
@@ -47,13 +68,32 @@ pub async fn gather(
     mut head: Merging,
     (folder, tasks): (&TaskFolder, &Tasks),
     numbers: &[usize],
-    solver: &Arc<dyn Solver>,
+    (solver, kept): (&Arc<dyn Solver>, Kept),
     seen: Seen<'_>,
 ) -> Result<Vec<Gathered>, TaskError> {
+    let reader = head.reader();
+    let read = async |number: Option<&usize>| {
+        let file = folder.done(*number?);
+        match file.exists() {
+            true => Some(reader.read(&file, seen).await),
+            false => None,
+        }
+    };
     let mut gathered = Vec::new();
-    for &number in numbers {
+    let mut next = read(numbers.first()).await;
+    for (place, &number) in numbers.iter().enumerate() {
         let task = &tasks.tasks[number - 1];
-        gathered.push(one(&mut head, (folder, number), task, solver, seen).await?);
+        let taking = one(
+            &mut head,
+            (folder, number),
+            task,
+            next.take(),
+            (solver, kept),
+        );
+        // The next file is read while this one is compared and taken.
+        let (taken, following) = tokio::join!(taking, read(numbers.get(place + 1)));
+        next = following;
+        gathered.push(taken?);
     }
     head.close().await?;
     Ok(gathered)
@@ -64,14 +104,13 @@ async fn one(
     head: &mut Merging,
     (folder, number): (&TaskFolder, usize),
     task: &Task,
-    solver: &Arc<dyn Solver>,
-    seen: Seen<'_>,
+    file: Option<Result<WholeFile, StoreError>>,
+    (solver, kept): (&Arc<dyn Solver>, Kept),
 ) -> Result<Gathered, TaskError> {
     let points = part_points(head.connection(), task, solver).await?;
-    let file = folder.done(number);
     let (mut taken, mut refused) = (None, None);
-    if file.exists() {
-        match merged(head, &file, (task, points.as_deref()), solver, seen).await? {
+    if let Some(file) = file {
+        match merged(head, file, (task, points.as_deref()), (solver, kept)).await? {
             Ok(merged) => taken = Some(merged),
             Err(because) => {
                 let aside = folder.set_aside(number)?;
@@ -119,12 +158,11 @@ async fn are_here(head: &mut Merging, points: &[PartPoint]) -> Result<bool, Stor
 /// Rows that were taken of a file, or the reason why it is refused.
 async fn merged(
     head: &mut Merging,
-    file: &Path,
+    file: Result<WholeFile, StoreError>,
     asked: (&Task, Option<&[PartPoint]>),
-    solver: &Arc<dyn Solver>,
-    seen: Seen<'_>,
+    (solver, kept): (&Arc<dyn Solver>, Kept),
 ) -> Result<Result<Merged, String>, StoreError> {
-    let whole = match head.read(file, seen).await {
+    let whole = match file {
         Ok(whole) => whole,
         Err(
             error @ (StoreError::Open { .. } | StoreError::Merge { .. } | StoreError::InUse { .. }),
@@ -134,7 +172,7 @@ async fn merged(
     if let Some(because) = doubt(head, &whole, asked, solver).await? {
         return Ok(Err(because));
     }
-    match head.take(&whole, Taken::Solved).await {
+    match head.take(&whole, kept.taken(asked.0)).await {
         Ok(merged) => Ok(Ok(merged)),
         Err(error @ StoreError::Merge { .. }) => Ok(Err(error.to_string())),
         Err(error) => Err(error),

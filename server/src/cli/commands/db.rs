@@ -209,18 +209,27 @@ impl Db {
         };
         let merged = runtime.block_on(async {
             let mut merging = Merging::open(&self.db).await?;
+            let reader = merging.reader();
+            let bar = counting_bar(0, "rows");
+            let seen = |done, of| count(&bar, done, of);
+            let read = async |file: Option<&PathBuf>| Some(reader.read(file?, &seen).await);
             let mut merged = Vec::new();
-            for file in files {
-                let bar = counting_bar(0, "rows");
-                let seen = |done, of| count(&bar, done, of);
-                let whole = merging.read(file, &seen).await;
-                bar.finish_and_clear();
-                let found = match whole {
-                    Ok(whole) => merging.take(&whole, taken).await,
-                    Err(refused) => Err(refused),
+            let mut next = read(files.first()).await;
+            for (place, file) in files.iter().enumerate() {
+                let current = next.take();
+                let take = async {
+                    match current {
+                        Some(Ok(whole)) => merging.take(&whole, taken).await,
+                        Some(Err(refused)) => Err(refused),
+                        None => Ok(Merged::default()),
+                    }
                 };
+                // The next file is read while this one is taken.
+                let (found, following) = tokio::join!(take, read(files.get(place + 1)));
+                next = following;
                 merged.push(MergedFile::of(file, found)?);
             }
+            bar.finish_and_clear();
             merging.close().await?;
             Ok(merged)
         });

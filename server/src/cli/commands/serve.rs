@@ -168,6 +168,7 @@ impl Serve {
             settings,
             folder: self.engine_options.folder(&self.config.db),
             minutes: self.engine_options.minutes,
+            kept: self.engine_options.keep,
         };
         let solver = self
             .solver

@@ -98,7 +98,8 @@ pub async fn restore(
     let _name = NameLock::take(&place)?;
     // What the database let nobody else read, no copy lets them.
     let like = if old.is_some() { &place } else { &source };
-    let copy = whole(&source, &place, like, Tables::Any, seen).await?;
+    let copy = Unfinished::begin(&place, like)?;
+    let copy = whole(&source, copy, Tables::Any, seen).await?;
     let Some(old) = &mut old else {
         remove_companions(&place, None);
         return copy.place().map(|()| None);
@@ -122,19 +123,17 @@ pub(crate) enum Tables {
     Ours,
 }
 
-/// A copy beside `target`, with the rights of the file `like`, whose rows were all read and match their hashes; its tables are up to date.
+/// The copy filled from the source, whose rows were all read and match their hashes; its tables are up to date.
 ///
 /// # Errors
 /// [`StoreError::Open`] when the source isn't whole, or can't be read.
 pub(crate) async fn whole(
     source: &Place,
-    target: &Place,
-    like: &Place,
+    copy: Unfinished,
     tables: Tables,
     seen: &dyn Fn(usize, usize),
 ) -> Result<Unfinished, StoreError> {
     let mut from = readable(source).await?;
-    let copy = Unfinished::begin(target, like)?;
     write(&mut from, &copy).await?;
     from.close().await?;
     prepare(source, copy.path(), tables, seen).await?;

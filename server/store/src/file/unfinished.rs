@@ -12,7 +12,7 @@ use crate::file::rights;
 use crate::store_error::StoreError;
 
 /// Ending of a file's name while it is being written.
-const ENDING: &str = ".unfinished";
+pub(crate) const ENDING: &str = ".unfinished";
 /// Endings of what SQLite may leave beside a file.
 pub(crate) const COMPANIONS: [&str; 3] = ["-wal", "-shm", "-journal"];
 

@@ -57,7 +57,7 @@ pub(super) async fn first(
         (RESULT, Difference::Result),
         (SWEEP, Difference::Sweep),
     ];
-    let points = of_points.into_iter().filter(|_| taken != Taken::Results);
+    let points = of_points.into_iter().filter(|_| taken.has_points());
     let studies = of_studies.into_iter().filter(|_| taken != Taken::Points);
     for (query, difference) in points.chain(studies) {
         let key: Option<String> = sqlx::query_scalar(query)

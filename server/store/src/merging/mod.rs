@@ -7,3 +7,4 @@ mod giving;
 pub mod parts;
 mod taking;
 pub mod target;
+pub mod whole_file;

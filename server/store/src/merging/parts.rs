@@ -9,10 +9,19 @@ pub enum Taken {
     Everything,
     /// Points, and studies that are done or failed with their results: what a machine hands in that was asked for these.
     Solved,
+    /// Studies that are done or failed with their results, without points: the same from a machine, where points would take too much room.
+    Answers,
     /// Points alone, and runs of models that other programs serve.
     Points,
     /// Results, sweeps and trades without points, runs of models and estimators: studies say how many points they had, and have none.
     Results,
+}
+
+impl Taken {
+    /// Whether points come along.
+    pub(super) fn has_points(self) -> bool {
+        !matches!(self, Self::Answers | Self::Results)
+    }
 }
 
 /// Rows of one kind.

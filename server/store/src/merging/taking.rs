@@ -77,7 +77,7 @@ pub(super) async fn take(
 ) -> Result<Merged, StoreError> {
     let mut merged = Merged::default();
     let is = |any: &[Taken]| any.contains(&taken);
-    let with_points = taken != Taken::Results;
+    let with_points = taken.has_points();
     if with_points {
         merged.points = points(connection).await?;
     }
@@ -88,7 +88,7 @@ pub(super) async fn take(
     }
     if taken != Taken::Points {
         // A machine may be done with what was cancelled meanwhile.
-        let and_cancelled = taken != Taken::Solved;
+        let and_cancelled = !is(&[Taken::Solved, Taken::Answers]);
         (merged.studies, merged.ended) = studies(connection, with_points, and_cancelled).await?;
     }
     if is(&[Taken::Everything, Taken::Results]) {

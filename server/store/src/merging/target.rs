@@ -1,6 +1,6 @@
 //! A database that takes others in, file by file.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
 use sqlx::pool::PoolConnection;
@@ -9,12 +9,10 @@ use sqlx::{Connection, Sqlite, SqliteConnection};
 use super::differing::{self, Difference};
 use super::parts::{Merged, Taken};
 use super::taking;
+use super::whole_file::{FileReader, WholeFile};
 use crate::Store;
-use crate::file::copies::{self, Tables};
-use crate::file::identity::FileId;
 use crate::file::lock::DatabaseLock;
 use crate::file::place::Place;
-use crate::file::unfinished::Unfinished;
 use crate::file::{opening, upkeep};
 use crate::points::evaluations;
 use crate::queue::event_rows;
@@ -27,23 +25,6 @@ const FOR_MUCH: [&str; 3] = [
     "pragma cache_size = -65536",
     "pragma temp_store = memory",
 ];
-
-/// File that was read whole: a private copy of it, which goes with this value.
-#[derive(Debug)]
-pub struct WholeFile {
-    named: PathBuf,
-    copy: Unfinished,
-}
-
-impl WholeFile {
-    /// A connection that reads the copy.
-    ///
-    /// # Errors
-    /// When it can't be opened.
-    pub async fn open(&self) -> Result<SqliteConnection, StoreError> {
-        opening::to_read(self.copy.path()).await
-    }
-}
 
 /// A database that takes others in.
 #[derive(Debug)]
@@ -107,30 +88,9 @@ impl Merging {
         })
     }
 
-    /// Reads a file whole from a private copy. Tells `seen` how many of its rows were read, and of how many.
-    ///
-    /// # Errors
-    /// [`StoreError::Open`] when it isn't whole, or has other tables; [`StoreError::Merge`] when it is the database itself.
-    pub async fn read(
-        &self,
-        file: &Path,
-        seen: &dyn Fn(usize, usize),
-    ) -> Result<WholeFile, StoreError> {
-        let refused = |cause: String| StoreError::Merge {
-            path: file.to_owned(),
-            cause,
-        };
-        let source = Place::of(file)?;
-        let id = FileId::at(&source.real);
-        if id.is_some() && id == FileId::at(&self.place.real) {
-            return Err(refused("it is the database itself".to_owned()));
-        }
-        let beside = Place::of(&self.place.beside(".merging"))?;
-        let copy = copies::whole(&source, &beside, &self.place, Tables::Ours, seen).await?;
-        Ok(WholeFile {
-            named: file.to_owned(),
-            copy,
-        })
+    /// Reader of files that it may take.
+    pub fn reader(&self) -> FileReader {
+        FileReader::new(self.place.clone())
     }
 
     /// Studies of a file, and how many of its points aren't known here.
@@ -155,10 +115,10 @@ impl Merging {
     /// [`StoreError::Merge`] when it says something else of a point, study or sweep that is known here; nothing of it is taken then.
     pub async fn take(&mut self, file: &WholeFile, taken: Taken) -> Result<Merged, StoreError> {
         let refused = |cause: String| StoreError::Merge {
-            path: file.named.clone(),
+            path: file.named().to_owned(),
             cause,
         };
-        let name = file.copy.path().to_str();
+        let name = file.path().to_str();
         let name = name.ok_or_else(|| refused("its path isn't UTF-8".to_owned()))?;
         let mut writer = self.writer().await?;
         writer.attach(name).await?;

@@ -22,6 +22,7 @@ use tokio::sync::Notify;
 use tokio::task::JoinSet;
 
 use crate::engines::engine_name::{EngineName, EngineSettings};
+use crate::gathering::Kept;
 use crate::rounds::Rounds;
 use crate::rounds::head::{Head, Wish};
 use crate::task_error::TaskError;
@@ -48,6 +49,8 @@ pub struct Means {
     pub folder: PathBuf,
     /// Time that a task should take on this machine's threads, minutes.
     pub minutes: f64,
+    /// Extent of what is kept of what tasks hand in.
+    pub kept: Kept,
 }
 
 /// Sweeps whose designs other machines solve.
@@ -256,6 +259,7 @@ impl Away {
             folder: self.folder(&row.sweep),
             solver: self.engine.solver.clone(),
             minutes: self.means.minutes,
+            kept: self.means.kept,
         };
         rounds.solve(engine.as_mut())
     }

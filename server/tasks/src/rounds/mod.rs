@@ -19,7 +19,7 @@ use fem_client::solver::Solver;
 use tokio::runtime::Handle;
 
 use crate::engines::{Engine, Standing};
-use crate::gathering::gather;
+use crate::gathering::{Kept, gather};
 use crate::packing::write;
 use crate::task_error::TaskError;
 use crate::task_folder::{Refusal, TaskFolder};
@@ -51,6 +51,8 @@ pub struct Rounds<'r> {
     pub solver: Arc<dyn Solver>,
     /// Time that a task of the first round should take on this machine's threads, minutes.
     pub minutes: f64,
+    /// Extent of what is kept of what tasks hand in.
+    pub kept: Kept,
 }
 
 /// Outcome of a round.
@@ -221,7 +223,8 @@ impl Rounds<'_> {
             return Ok(());
         }
         let tasks = (&round.folder, &round.tasks);
-        let gathering = gather(self.head.merging()?, tasks, &new, &self.solver, &|_, _| {});
+        let solver = (&self.solver, self.kept);
+        let gathering = gather(self.head.merging()?, tasks, &new, solver, &|_, _| {});
         for one in self.runtime.block_on(gathering)? {
             outcome.ended.insert(one.task, one.ended);
             if let Some(because) = one.refused {

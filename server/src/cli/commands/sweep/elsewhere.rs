@@ -71,6 +71,7 @@ impl Elsewhere {
             folder: self.options.folder(database).join(&sweep.id),
             solver: own.solver.solver().map_err(Failure::other)?,
             minutes: self.options.minutes,
+            kept: self.options.keep,
         };
         rounds.solve(engine).map_err(|error| {
             Failure::Other(format!(

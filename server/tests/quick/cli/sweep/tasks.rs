@@ -9,7 +9,7 @@ use super::draft;
 use crate::cli::db::merging::poison;
 use crate::numerics::{OTHER, has_the_instructions};
 use crate::program::service::sql;
-use crate::program::{command, strainsite, text, wait_for_points};
+use crate::program::{command, stored_points, strainsite, text, wait_for_points};
 
 /// Walls of three designs, each a task of its own.
 const GRID: [&str; 2] = ["--grid", "geometry.wall_mm=2.6,3,3.4"];
@@ -49,6 +49,8 @@ async fn what_tasks_hand_in_is_what_a_sweep_solves_and_what_is_poisoned_is_refus
     let folder = tempfile::tempdir().expect("temp dir");
     let run = |arguments: &[&str]| strainsite(folder.path(), arguments);
     made(folder.path());
+    let [ours, lean] = ["strainsite.db", "lean.db"].map(|name| folder.path().join(name));
+    std::fs::copy(&ours, &lean).expect("copies");
     assert_eq!(run(&["tasks", "run", "tasks", "4"]).status.code(), Some(2));
     for number in ["1", "2"] {
         // The program that lies in the folder, as nodes run it.
@@ -95,8 +97,18 @@ async fn what_tasks_hand_in_is_what_a_sweep_solves_and_what_is_poisoned_is_refus
     ]
     .concat());
     assert_eq!(local.status.code(), Some(0), "{}", text(&local.stderr));
-    let [ours, theirs] = ["strainsite.db", "local.db"].map(|name| folder.path().join(name));
-    assert_eq!(contents(&ours).await, contents(&theirs).await);
+    let own = contents(&folder.path().join("local.db")).await;
+    assert_eq!(contents(&ours).await, own);
+    let results = ["--db", "lean.db", "--keep", "results", "--json", "-"];
+    let results = gathered(
+        &run(&[&["tasks", "gather", "tasks"], &results[..]].concat()),
+        0,
+    );
+    assert_eq!(results[2]["taken"]["ended"], 1, "{results}");
+    assert_eq!(contents(&lean).await, own);
+    assert_eq!(stored_points(&lean).await, 0);
+    let size = |database: &Path| std::fs::metadata(database).expect("is there").len();
+    assert!(2 * size(&lean) < size(&ours));
 }
 
 #[tokio::test]

@@ -14,7 +14,7 @@ use crate::cli::terminal::paint::{BAD, GOOD, painted};
 use crate::cli::terminal::progress::{count, counting_bar};
 use crate::cli::terminal::report::next_steps::shell_word;
 use store::merging::target::Merging;
-use tasks::gathering::{Gathered, gather};
+use tasks::gathering::{Gathered, Kept, gather};
 use tasks::task_folder::TaskFolder;
 
 /// Take in what was handed in
@@ -31,6 +31,9 @@ pub(super) struct Gather {
         default_value = "strainsite.db"
     )]
     db: PathBuf,
+    /// Part that is kept of what tasks handed in
+    #[arg(long, value_enum, value_name = "PART", default_value = "everything")]
+    keep: Kept,
     #[command(flatten)]
     solver: SolverOption,
     /// Write what became of each task as JSON to a file, or to standard output with -
@@ -52,7 +55,7 @@ impl Gather {
         let seen = |done, of| count(&bar, done, of);
         let gathered = runtime.block_on(async {
             let head = Merging::open(&self.db).await?;
-            gather(head, (&folder, &tasks), &all, &solver, &seen).await
+            gather(head, (&folder, &tasks), &all, (&solver, self.keep), &seen).await
         });
         bar.finish_and_clear();
         let gathered = gathered?;
