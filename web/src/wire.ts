@@ -3785,7 +3785,7 @@ export interface components {
         TaskCounts: {
             /** @description Tasks that wait for a machine. */
             waiting: number;
-            /** @description Tasks that a machine does. A command of the user's counts as one while it runs. */
+            /** @description Tasks that a machine does; of a command of the user's all that it hasn't handed in. */
             running: number;
             /** @description Tasks that have ended. */
             ended: number;

@@ -53,6 +53,11 @@ impl EngineOptions {
         self.tasks.clone().unwrap_or_else(|| beside(database))
     }
 
+    /// Whether that folder is nobody else's.
+    pub fn is_own(&self) -> bool {
+        self.tasks.is_none()
+    }
+
     /// Removes the folder beside the database when nothing is left in it; one that the user named stays.
     pub(crate) fn tidy(&self, database: &Path) {
         // What holds rounds isn't empty.

@@ -2918,7 +2918,7 @@ class TaskCounts:
     waiting: int
     """Tasks that wait for a machine."""
     running: int
-    """Tasks that a machine does. A command of the user's counts as one while it runs."""
+    """Tasks that a machine does; of a command of the user's all that it hasn't handed in."""
     ended: int
     """Tasks that have ended."""
 

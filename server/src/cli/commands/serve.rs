@@ -167,6 +167,7 @@ impl Serve {
             names: self.engines.clone(),
             settings,
             folder: self.engine_options.folder(&self.config.db),
+            is_own: self.engine_options.is_own(),
             minutes: self.engine_options.minutes,
             kept: self.engine_options.keep,
         };

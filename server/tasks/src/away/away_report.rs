@@ -36,7 +36,7 @@ pub struct EngineView {
 pub struct TaskCounts {
     /// Tasks that wait for a machine.
     pub waiting: usize,
-    /// Tasks that a machine does. A command of the user's counts as one while it runs.
+    /// Tasks that a machine does; of a command of the user's all that it hasn't handed in.
     pub running: usize,
     /// Tasks that have ended.
     pub ended: usize,

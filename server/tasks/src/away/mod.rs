@@ -7,6 +7,7 @@ pub mod away_report;
 mod sweep_head;
 
 use std::fs;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex};
@@ -31,7 +32,7 @@ use sweep_head::SweepHead;
 
 /// Time to wait before what failed is tried again: room on a disk, or a folder that is away.
 const RETRY: Duration = Duration::from_secs(5);
-/// Interval at which a wish is looked for meanwhile.
+/// Interval at which the end of the service is looked for meanwhile.
 const MOMENT: Duration = Duration::from_millis(100);
 /// Sweeps that are away at once; others wait until one of them is back.
 const AT_ONCE: usize = 32;
@@ -47,6 +48,8 @@ pub struct Means {
     pub settings: EngineSettings,
     /// Folder of all tasks.
     pub folder: PathBuf,
+    /// Whether that is nobody else's, and goes when nothing is left in it.
+    pub is_own: bool,
     /// Time that a task should take on this machine's threads, minutes.
     pub minutes: f64,
     /// Extent of what is kept of what tasks hand in.
@@ -173,7 +176,7 @@ impl Away {
                 Ok(rows) => {
                     for row in rows {
                         let (own, runtime) = (self.clone(), Handle::current());
-                        threads.spawn_blocking(move || own.solve(&row, &runtime));
+                        threads.spawn_blocking(move || own.solve_or_say(&row, &runtime));
                     }
                 }
                 Err(error) => {
@@ -182,6 +185,7 @@ impl Away {
             }
             tokio::select! {
                 () = self.news.notified() => {}
+                Some(_) = threads.join_next() => {}
                 () = shutdown.wait() => break,
             }
         }
@@ -202,6 +206,16 @@ impl Away {
             reports.insert(row.sweep.clone(), TaskReport::default());
         }
         Ok(rows)
+    }
+
+    /// Has a sweep solved; one whose thread breaks has its turns here.
+    fn solve_or_say(&self, row: &EngineRow, runtime: &Handle) {
+        let solved = catch_unwind(AssertUnwindSafe(|| self.solve(row, runtime)));
+        if solved.is_err() {
+            let words = "giving it away broke; the log says where";
+            self.reports.change(&row.sweep, |report| report.say(words));
+            self.end(row, runtime);
+        }
     }
 
     /// Has a sweep solved until that has an end, or the service stops.
@@ -233,12 +247,14 @@ impl Away {
                     tracing::error!(sweep, %error, "tasks for other machines wait");
                     self.reports
                         .change(sweep, |report| report.say(&error.to_string()));
-                    self.wait(|| head.wish() == Wish::GoOn);
+                    self.wait();
                 }
             }
         }
-        // Empty but for what was refused.
-        let _ = fs::remove_dir(&self.means.folder);
+        if self.means.is_own {
+            // Empty but for what was refused.
+            let _ = fs::remove_dir(&self.means.folder);
+        }
         self.end(row, runtime);
     }
 
@@ -286,7 +302,7 @@ impl Away {
             if self.stop.load(Ordering::Relaxed) {
                 return;
             }
-            self.wait(|| true);
+            self.wait();
         }
         self.reports.all().remove(sweep);
         tracing::info!(sweep, "nothing of a sweep is solved elsewhere any more");
@@ -294,10 +310,10 @@ impl Away {
         self.look();
     }
 
-    /// Waits before something is tried again, while this holds.
-    fn wait(&self, holds: impl Fn() -> bool) {
+    /// Waits before something is tried again, unless the service stops.
+    fn wait(&self) {
         let begun = Instant::now();
-        while begun.elapsed() < RETRY && holds() && !self.stop.load(Ordering::Relaxed) {
+        while begun.elapsed() < RETRY && !self.stop.load(Ordering::Relaxed) {
             std::thread::sleep(MOMENT);
         }
     }

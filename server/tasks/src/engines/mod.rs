@@ -33,7 +33,7 @@ pub struct Work<'w> {
 pub struct Standing {
     /// Tasks that wait.
     pub waiting: usize,
-    /// Tasks, or the command that does them, that run.
+    /// Tasks that run; of a command of the user's all that it hasn't handed in.
     pub running: usize,
     /// Reason why the first of them waits, in the engine's words.
     pub because: Option<String>,

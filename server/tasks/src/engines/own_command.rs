@@ -97,8 +97,14 @@ impl Engine for OwnCommand {
             self.child = None;
         }
         let failed = ended.filter(|status| !status.success());
+        let is_at_work = self.child.is_some() || lock(work)?.is_none();
+        // Which of the others wait, it alone knows.
+        let lacks = (1..=work.count).filter(|number| !work.folder.done(*number).exists());
         Ok(Standing {
-            running: usize::from(self.child.is_some() || lock(work)?.is_none()),
+            running: match is_at_work {
+                true => lacks.count().max(1),
+                false => 0,
+            },
             news: failed.map(|status| format!("the command of the engine ended with {status}")),
             ..Standing::default()
         })

@@ -149,12 +149,12 @@ async fn an_engine_outlives_its_service_and_ends_when_its_sweep_is_cancelled() {
     let mut program = Program::run(&mut command);
     token(&mut program);
     let id = submitted(&program, &base(at)).await;
-    until(&program, &id, |away, _| away["tasks"]["running"] == 1).await;
+    until(&program, &id, |away, _| away["tasks"]["running"] == 3).await;
     program.kill();
 
     let mut program = Program::run(&mut command);
     token(&mut program);
-    until(&program, &id, |away, _| away["tasks"]["running"] == 1).await;
+    until(&program, &id, |away, _| away["tasks"]["running"] == 3).await;
     fs::write(at.join("go"), "").expect("writes");
     let begun = Instant::now();
     while !at.join("done").exists() {
@@ -162,6 +162,7 @@ async fn an_engine_outlives_its_service_and_ends_when_its_sweep_is_cancelled() {
         tokio::time::sleep(Duration::from_millis(20)).await;
     }
     let address = format!("{}/v1/sweeps/{id}", program.url);
+    until(&program, &id, |away, _| away["tasks"]["ended"] == 1).await;
     let cancelled = program
         .client
         .delete(address)
