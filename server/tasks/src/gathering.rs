@@ -13,7 +13,7 @@ use crate::task_folder::{Task, TaskFolder, Tasks};
 use store::StoreError;
 use store::merging::parts::{Merged, Taken};
 use store::merging::target::Merging;
-use store::merging::whole_file::WholeFile;
+use store::merging::whole_file::{WholeFile, read_ahead};
 use store::points::evaluations;
 use store::queue::study_rows;
 
@@ -72,29 +72,18 @@ pub async fn gather(
     seen: Seen<'_>,
 ) -> Result<Vec<Gathered>, TaskError> {
     let reader = head.reader();
-    let read = async |number: Option<&usize>| {
-        let file = folder.done(*number?);
+    let read = async |number: &usize| {
+        let file = folder.done(*number);
         match file.exists() {
             true => Some(reader.read(&file, seen).await),
             false => None,
         }
     };
-    let mut gathered = Vec::new();
-    let mut next = read(numbers.first()).await;
-    for (place, &number) in numbers.iter().enumerate() {
+    let gathered = read_ahead(numbers, read, async |&number, file| {
         let task = &tasks.tasks[number - 1];
-        let taking = one(
-            &mut head,
-            (folder, number),
-            task,
-            next.take(),
-            (solver, kept),
-        );
-        // The next file is read while this one is compared and taken.
-        let (taken, following) = tokio::join!(taking, read(numbers.get(place + 1)));
-        next = following;
-        gathered.push(taken?);
-    }
+        one(&mut head, (folder, number), task, file, (solver, kept)).await
+    });
+    let gathered = gathered.await?;
     head.close().await?;
     Ok(gathered)
 }

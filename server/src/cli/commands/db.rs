@@ -21,6 +21,7 @@ use store::file::opening;
 use store::file::upkeep::{self, Inspection};
 use store::merging::parts::{Counted, Merged, Taken};
 use store::merging::target::Merging;
+use store::merging::whole_file::read_ahead;
 use store::removal::pruning::{Mode, Pruned, prune};
 use store::removal::retention::Retention;
 
@@ -212,23 +213,15 @@ impl Db {
             let reader = merging.reader();
             let bar = counting_bar(0, "rows");
             let seen = |done, of| count(&bar, done, of);
-            let read = async |file: Option<&PathBuf>| Some(reader.read(file?, &seen).await);
-            let mut merged = Vec::new();
-            let mut next = read(files.first()).await;
-            for (place, file) in files.iter().enumerate() {
-                let current = next.take();
-                let take = async {
-                    match current {
-                        Some(Ok(whole)) => merging.take(&whole, taken).await,
-                        Some(Err(refused)) => Err(refused),
-                        None => Ok(Merged::default()),
-                    }
+            let read = async |file: &PathBuf| reader.read(file, &seen).await;
+            let merged = read_ahead(files, read, async |file, whole| {
+                let found = match whole {
+                    Ok(whole) => merging.take(&whole, taken).await,
+                    Err(refused) => Err(refused),
                 };
-                // The next file is read while this one is taken.
-                let (found, following) = tokio::join!(take, read(files.get(place + 1)));
-                next = following;
-                merged.push(MergedFile::of(file, found)?);
-            }
+                MergedFile::of(file, found)
+            });
+            let merged = merged.await?;
             bar.finish_and_clear();
             merging.close().await?;
             Ok(merged)

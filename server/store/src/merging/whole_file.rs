@@ -41,6 +41,30 @@ impl WholeFile {
     }
 }
 
+/// Does something with each item in order, once that was read; the next one is read meanwhile.
+///
+/// # Errors
+/// The first that there is; what comes after it isn't done.
+pub async fn read_ahead<I, R, T, E>(
+    items: &[I],
+    read: impl AsyncFn(&I) -> R,
+    mut take: impl AsyncFnMut(&I, R) -> Result<T, E>,
+) -> Result<Vec<T>, E> {
+    let read_at = async |place: usize| match items.get(place) {
+        Some(item) => Some(read(item).await),
+        None => None,
+    };
+    let mut taken = Vec::new();
+    let mut next = read_at(0).await;
+    for item in items {
+        let Some(found) = next.take() else { break };
+        let (one, following) = tokio::join!(take(item, found), read_at(taken.len() + 1));
+        taken.push(one?);
+        next = following;
+    }
+    Ok(taken)
+}
+
 /// Reader of files for a database, which may be at something else meanwhile.
 #[derive(Debug)]
 pub struct FileReader {

@@ -1,8 +1,11 @@
 //! Sweeps and comparisons on the command line.
 
+use std::path::Path;
+
 use serde_json::Value;
 
 use crate::cli::draft;
+use crate::program::service::sql;
 use crate::program::{strainsite, text};
 
 mod elsewhere;
@@ -11,6 +14,15 @@ mod tasks;
 
 fn json(bytes: &[u8]) -> Value {
     serde_json::from_slice(bytes).expect("one JSON document")
+}
+
+/// Hashes of what the results of a database say, by design.
+async fn contents(database: &Path) -> Vec<String> {
+    let query = "select content_sha256 from results join studies on id = study order by name";
+    let found = sqlx::query_scalar(query)
+        .fetch_all(&mut sql(database).await)
+        .await;
+    found.expect("results")
 }
 
 #[test]

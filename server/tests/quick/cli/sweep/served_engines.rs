@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 use reqwest::StatusCode;
 use serde_json::{Value, json};
 
+use super::contents;
 use crate::program::service::{Program, draft, serving, sql};
 use crate::program::{strainsite, text};
 
@@ -62,15 +63,6 @@ async fn until(program: &Program, id: &str, holds: impl Fn(&Value, &Value) -> bo
         assert!(begun.elapsed() < PATIENCE, "{away} {}", sweep["counts"]);
         tokio::time::sleep(Duration::from_millis(50)).await;
     }
-}
-
-/// Hashes of what the results of a database say, by design.
-async fn contents(database: &Path) -> Vec<String> {
-    let query = "select content_sha256 from results join studies on id = study order by name";
-    let found = sqlx::query_scalar(query)
-        .fetch_all(&mut sql(database).await)
-        .await;
-    found.expect("results")
 }
 
 #[tokio::test]

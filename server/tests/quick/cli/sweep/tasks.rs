@@ -5,10 +5,9 @@ use std::process::{Command, Output};
 
 use serde_json::Value;
 
-use super::draft;
+use super::{contents, draft};
 use crate::cli::db::merging::poison;
 use crate::numerics::{OTHER, has_the_instructions};
-use crate::program::service::sql;
 use crate::program::{command, stored_points, strainsite, text, wait_for_points};
 
 /// Walls of three designs, each a task of its own.
@@ -33,15 +32,6 @@ fn made(folder: &Path) {
 fn gathered(output: &Output, code: i32) -> Value {
     assert_eq!(output.status.code(), Some(code), "{}", text(&output.stderr));
     serde_json::from_slice(&output.stdout).expect("one JSON document")
-}
-
-/// Hashes of what the results of a database say, by design.
-async fn contents(database: &Path) -> Vec<String> {
-    let query = "select content_sha256 from results join studies on id = study order by name";
-    let found = sqlx::query_scalar(query)
-        .fetch_all(&mut sql(database).await)
-        .await;
-    found.expect("results")
 }
 
 #[tokio::test]
