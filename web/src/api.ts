@@ -37,7 +37,7 @@ import type {
 
 /** Relative to the page, which a proxy may serve below a path. */
 const ROOT = "v1";
-/** The service looks at every design of the sweeps that it lists, and the list is asked for again and again. */
+/** The service counts the designs of the sweeps that it lists, and the list is asked for again and again. */
 const SWEEPS_OF_A_PAGE = 10;
 
 /** What the service says is wrong. The page has problems of its own, of which there is less to say. */
@@ -163,8 +163,12 @@ export async function sweeps(wanted: Wanted, cursor: string | null): Promise<Pag
   return { entries: page.sweeps, next_cursor: page.next_cursor ?? null };
 }
 
-export function sweep(id: string): Promise<SweepDetail> {
-  return request("GET", sweepPath(id));
+/** Designs that a sweep's page shows at once. */
+export const DESIGNS_OF_A_PAGE = 1000;
+
+/** A sweep with its designs from a place on. */
+export function sweep(id: string, from: number): Promise<SweepDetail> {
+  return request("GET", sweepPath(id, `?from=${from}&limit=${DESIGNS_OF_A_PAGE}`));
 }
 
 export function cancelSweep(id: string): Promise<SweepDetail> {

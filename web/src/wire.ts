@@ -3644,7 +3644,7 @@ export interface components {
         SweepDetail: components["schemas"]["SweepSummary"] & {
             /** @description The canonical document of the study without changes. */
             document: Record<string, unknown>;
-            /** @description The designs in order. */
+            /** @description The designs in order, as many as were asked for; `counts` has them all. */
             designs: components["schemas"]["DesignView"][];
         };
         /** @description A study, and what its designs set otherwise: `grid` or `designs`. */
@@ -3711,6 +3711,11 @@ export interface components {
             finished?: string | null;
             /** @description Time at which it was archived; null unless it is. */
             archived?: string | null;
+            /**
+             * Format: double
+             * @description Time in which any of its designs was at work so far, s.
+             */
+            worked_s: number;
         };
         /**
          * @description Table of a study.

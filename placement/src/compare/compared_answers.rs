@@ -8,9 +8,10 @@ use std::cmp::Ordering;
 use documents::study::question::Question;
 use serde::{Deserialize, Serialize};
 
+use super::comparable::{AnswerPart, Comparable};
 use super::difference_verdict::Verdict;
 use crate::answer::{Figure, Figures, Standing, judge};
-use results::{Answer, Certainty, StudyResult, TradeRow};
+use results::{Certainty, TradeRow};
 
 /// The study that answers best.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, utoipa::ToSchema)]
@@ -77,7 +78,7 @@ impl ComparedFigure {
 /// A study's answer, which is compared by one of its layouts.
 struct Candidate<'a> {
     number: usize,
-    answer: &'a Answer,
+    answer: &'a AnswerPart,
     row: &'a TradeRow,
     rows: &'a [TradeRow],
 }
@@ -91,7 +92,7 @@ struct Yardstick {
 }
 
 impl Yardstick {
-    fn row<'a>(&self, answer: &'a Answer) -> Option<&'a TradeRow> {
+    fn row<'a>(&self, answer: &'a AnswerPart) -> Option<&'a TradeRow> {
         let trade = answer.trade.as_ref()?;
         if let Some(most) = self.films {
             let few = trade.rows.iter().filter(|row| row.film_count <= most);
@@ -139,7 +140,7 @@ pub(super) struct Answers {
 
 /// Compares the answers of studies of these names with one of them.
 pub(super) fn answers(
-    results: &[Option<&StudyResult>],
+    results: &[Option<&Comparable>],
     names: &[&str],
     base: Option<usize>,
 ) -> Answers {
@@ -264,6 +265,7 @@ fn layout_verdict(candidate: &Candidate<'_>) -> Certainty {
 
 #[cfg(test)]
 mod tests {
+    use results::StudyResult;
     use serde_json::{Value, json};
 
     use super::*;
@@ -273,7 +275,7 @@ mod tests {
         rows: &[(usize, f64, f64)],
         picked: usize,
         question: &Value,
-    ) -> Result<StudyResult, serde_json::Error> {
+    ) -> Result<Comparable, serde_json::Error> {
         let limit = question["angle_deg"].as_f64();
         let row = |(index, &(films, angle, claim)): (usize, &(usize, f64, f64))| {
             json!({"film_count": films, "rank": index + 1, "index": index, "words": format!("{films} films along y"), "angle_error_deg": angle,
@@ -284,10 +286,10 @@ mod tests {
             "layout": {"rank": picked + 1, "words": "", "units": 1, "film_count": rows[picked]["film_count"], "angle_error_deg": 1.0, "error_deg": null,
                        "tied_with": [], "verdict": "certain", "reason": ""},
             "trade": {"question": question, "rows": rows, "picked": picked, "knee": null, "tried": 9, "screened": 0, "without_room": 0, "menu": ""}});
-        Ok(StudyResult {
+        Ok(Comparable::of(&StudyResult {
             answer: Some(serde_json::from_value(answer)?),
             ..StudyResult::default()
-        })
+        }))
     }
 
     fn ranks(answers: &Answers) -> Vec<usize> {

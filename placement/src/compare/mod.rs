@@ -11,19 +11,23 @@
 //! of what they miss, point by point ([`gsa::judge::misses`]). Whatever two errors have not in common is independent, so that it adds up as e^2 = e_I^2 + e_J^2: all
 //! of the mesh's where a study has no coarser one. A difference beyond its error is real, any other noise.
 
+mod comparable;
 mod compared_answers;
 mod difference_verdict;
+
+use std::collections::HashSet;
 
 use fem_client::solver::direction::{Direction, PerDirection};
 use gsa::judge::misses::{Claim, Misses, error_of_difference};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
+pub use comparable::Comparable;
 pub use difference_verdict::Verdict;
 
 use compared_answers::{Answers, ComparedAnswer, ComparisonAnswer, answers};
 use results::location_scores::GSI;
-use results::{FormMisses, Output, RankedLocation, StudyCost, StudyResult};
+use results::{FormMisses, Output, RankedLocation, StudyCost};
 
 /// A study to be compared.
 #[derive(Debug, Clone)]
@@ -37,7 +41,7 @@ pub struct Entry {
     /// State of the study: `done` and others.
     pub state: String,
     /// Answer of the study, or why there is none, a sentence.
-    pub result: Result<StudyResult, String>,
+    pub result: Result<Comparable, String>,
 }
 
 /// The table.
@@ -144,6 +148,30 @@ pub struct ComparedIndex {
     pub verdict: Option<Verdict>,
 }
 
+/// Most studies that an answer tells or a table prints: more are nothing that anybody reads, and have 12 kB each.
+pub const MOST_TOLD: usize = 1000;
+
+impl Comparison {
+    /// Leaves out all but the best of more studies than these, and the baseline: the best by their answers, or the first where none has a layout.
+    pub fn best(mut self, most: usize) -> Self {
+        let all = self.studies.len();
+        if all <= most {
+            return self;
+        }
+        let rank = |study: &ComparedStudy| study.answer.as_ref().map_or(usize::MAX, |a| a.rank);
+        let mut order: Vec<&ComparedStudy> = self.studies.iter().collect();
+        order.sort_by_key(|study| rank(study));
+        let told = order.into_iter().take(most).map(|study| study.id.clone());
+        let told: HashSet<String> = told.chain(self.baseline.clone()).collect();
+        self.studies.retain(|study| told.contains(&study.id));
+        self.rows.retain(|row| told.contains(&row.study));
+        self.notes.push(format!(
+            "the best {most} of {all} studies are told, and the baseline; a file of the comparison (--format csv, or export over HTTP) has them all"
+        ));
+        self
+    }
+}
+
 /// Compares studies with the one of this identifier, or with the first that has a result.
 pub fn compare(entries: &[Entry], baseline: Option<&str>) -> Comparison {
     let answered = |entry: &&Entry| entry.result.is_ok();
@@ -159,7 +187,7 @@ pub fn compare(entries: &[Entry], baseline: Option<&str>) -> Comparison {
         let locations = result.locations.iter();
         rows.extend(locations.map(|location| row(&entry.id, result, location, other)));
     }
-    let found: Vec<Option<&StudyResult>> = entries
+    let found: Vec<Option<&Comparable>> = entries
         .iter()
         .map(|entry| entry.result.as_ref().ok())
         .collect();
@@ -193,7 +221,7 @@ fn column(entry: &Entry, answer: Option<ComparedAnswer>) -> ComparedStudy {
     let layout = result
         .zip(answer.as_ref())
         .and_then(|(result, answer)| result.layout_of_rank(answer.layout_rank));
-    let signal = PerDirection::of(|direction| centre(result?, direction)?.std);
+    let signal = PerDirection::of(|direction| result?.centre[direction].as_ref()?.std);
     ComparedStudy {
         id: entry.id.clone(),
         name: entry.name.clone(),
@@ -202,8 +230,8 @@ fn column(entry: &Entry, answer: Option<ComparedAnswer>) -> ComparedStudy {
         reason: entry.result.as_ref().err().cloned(),
         spec_sha256: result.map(|result| result.study.spec_sha256.clone()),
         version: result.map(|result| result.study.version.clone()),
-        level: result.map(|result| result.model.level.clone()),
-        reaction_n: result.map(|result| result.cut_point.reaction_n),
+        level: result.map(|result| result.level.clone()),
+        reaction_n: result.map(|result| result.reaction_n),
         std_strain_x: signal.x,
         std_strain_y: signal.y,
         best: best.map(|best| best.name.clone()),
@@ -215,20 +243,11 @@ fn column(entry: &Entry, answer: Option<ComparedAnswer>) -> ComparedStudy {
     }
 }
 
-/// The strain at the contact centre, by which locations are ranked.
-fn centre(result: &StudyResult, direction: Direction) -> Option<&Output> {
-    let of_direction = || {
-        let outputs = result.outputs.iter();
-        outputs.filter(move |output| output.direction == direction)
-    };
-    of_direction().nth(of_direction().count() / 2)
-}
-
 fn row(
     id: &str,
-    result: &StudyResult,
+    result: &Comparable,
     location: &RankedLocation,
-    base: Option<&StudyResult>,
+    base: Option<&Comparable>,
 ) -> ComparedLocation {
     let same = |other: &&RankedLocation| other.name == location.name;
     let other = base.and_then(|base| base.locations.iter().find(same));
@@ -273,13 +292,13 @@ struct Index<'r> {
 }
 
 impl<'r> Index<'r> {
-    fn of(result: &'r StudyResult, location: &RankedLocation, direction: Direction) -> Self {
+    fn of(result: &'r Comparable, location: &RankedLocation, direction: Direction) -> Self {
         let name = location.input.as_ref();
         Self {
             percent: location.value(GSI, direction),
             error: location.error(GSI, direction),
             input: name.and_then(|name| result.inputs.iter().position(|i| i.name == *name)),
-            output: centre(result, direction),
+            output: result.centre[direction].as_ref(),
         }
     }
 
@@ -360,7 +379,7 @@ fn shared_mesh_error(ours: &Output, theirs: &Output) -> Option<f64> {
     Some(left.fold(0.0, f64::max).min(1.0))
 }
 
-fn notes(entries: &[Entry], base: Option<&StudyResult>) -> Vec<String> {
+fn notes(entries: &[Entry], base: Option<&Comparable>) -> Vec<String> {
     let mut notes = Vec::new();
     let results = || {
         entries
@@ -375,8 +394,8 @@ fn notes(entries: &[Entry], base: Option<&StudyResult>) -> Vec<String> {
         };
         return vec![nobody.to_owned()];
     };
-    let differ = |part: fn(&StudyResult) -> &str| results().any(|r| part(r) != part(base));
-    if differ(|result| &result.model.level) {
+    let differ = |part: fn(&Comparable) -> &str| results().any(|r| part(r) != part(base));
+    if differ(|result| &result.level) {
         notes.push(
             "the studies are on meshes of different levels: a part of their differences is the meshes'".to_owned(),
         );
@@ -386,7 +405,7 @@ fn notes(entries: &[Entry], base: Option<&StudyResult>) -> Vec<String> {
             "the studies are of different versions of the program, which the differences may come from".to_owned(),
         );
     }
-    let vary = |result: &StudyResult| {
+    let vary = |result: &Comparable| {
         let inputs = result.inputs.iter();
         inputs.map(|input| input.vary.clone()).collect::<Vec<_>>()
     };

@@ -23,7 +23,7 @@ from .answers._generated import (
 from .answers.comparison import Comparison
 from .answers.reading import read
 from .connection.download import download
-from .connection.transport import Transport
+from .connection.transport import LONGEST_CHECK_S, Transport
 from .errors import DocumentError, StrainsiteError
 from .forces.estimator import Estimator
 from .forces.recordings import recipe as recipe_of
@@ -296,7 +296,8 @@ class Client:
         body = {"study": self.document(document, set), **documents.designs_body(grid, designs)}
         if name is not None:
             body["name"] = name
-        return Sweep(self._transport, self._submit("/v1/sweeps", body, priority, key, engine))
+        answer = self._submit("/v1/sweeps", body, priority, key, engine, timeout=LONGEST_CHECK_S)
+        return Sweep(self._transport, answer)
 
     def engines(self) -> tuple[Engine, ...]:
         """Schedulers and commands by which other machines solve designs of sweeps, with what they are at."""
@@ -456,11 +457,18 @@ class Client:
         return download(self._transport, "/v1/comparison/export", format, table, path, params)
 
     def _submit(
-        self, path: str, body: Mapping[str, Any], priority: int, key: str | None, engine: str | None = None
+        self,
+        path: str,
+        body: Mapping[str, Any],
+        priority: int,
+        key: str | None,
+        engine: str | None = None,
+        timeout: float | None = None,
     ) -> dict[str, Any]:
         asked = {"priority": str(priority) if priority else None, "engine": engine}
         params = {name: value for name, value in asked.items() if value is not None}
-        return self._transport.post(path, body, key=key or str(uuid.uuid4()), params=params or None)
+        key = key or str(uuid.uuid4())
+        return self._transport.post(path, body, key=key, params=params or None, timeout=timeout)
 
     def _pages(self, kind: str, params: Mapping[str, str]) -> Iterator[Any]:
         cursor: str | None = None

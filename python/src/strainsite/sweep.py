@@ -10,6 +10,7 @@ from .answers.reading import read, records
 from .connection.download import download
 from .connection.follow import look
 from .connection.progress import Deadline, Progress
+from .connection.transport import LONGEST_CHECK_S
 from .documents import designs_body
 from .entry import ListedEntry
 from .errors import StudyCancelled, StudyFailed
@@ -48,10 +49,24 @@ class Sweep(ListedEntry[SweepSummary]):
 
     @property
     def designs(self) -> tuple[Design, ...]:
-        """Its designs, as last seen."""
+        """Its designs, as last seen; the service tells those of large sweeps a part at a time."""
         if self._designs is None:
             self.refresh()
-        return self._designs or ()
+        told = self._designs or ()
+        while len(told) < self._count:
+            page = self._transport.get(self._path, {"from": str(len(told))})
+            further = _designs(page)
+            if not further:
+                break
+            told += further
+        self._designs = told
+        return told
+
+    @property
+    def _count(self) -> int:
+        """All designs, however many were told."""
+        counts = self.summary.counts
+        return counts.queued + counts.running + counts.done + counts.failed + counts.cancelled
 
     def studies(self) -> tuple[Study, ...]:
         """The study of each design."""
@@ -74,8 +89,8 @@ class Sweep(ListedEntry[SweepSummary]):
 
             def state() -> str:
                 summary = self.refresh().summary
-                ended = len(self.designs) - summary.counts.queued - summary.counts.running
-                bar.show(summary.points_done, summary.points_total, f"{ended} of {len(self.designs)} designs")
+                ended = self._count - summary.counts.queued - summary.counts.running
+                bar.show(summary.points_done, summary.points_total, f"{ended} of {self._count} designs")
                 return summary.state
 
             look(state, deadline)
@@ -103,11 +118,19 @@ class Sweep(ListedEntry[SweepSummary]):
         designs: Sequence[Mapping[str, Any]] | None = None,
     ) -> Sweep:
         """Adds designs, as `Client.sweep` takes them; those that it has already aren't run again."""
-        return self._take(self._transport.post(f"{self._path}/designs", designs_body(grid, designs)))
+        body = designs_body(grid, designs)
+        return self._take(self._transport.post(f"{self._path}/designs", body, timeout=LONGEST_CHECK_S))
 
-    def comparison(self, baseline: Study | str | None = None) -> Comparison:
-        """Compares its designs, with the first one or with `baseline`."""
-        return Comparison.of(self._transport.get("/v1/comparison", self._compared(baseline)))
+    def comparison(self, baseline: Study | str | None = None, best: int | None = None) -> Comparison:
+        """Compares its designs, with the first one or with `baseline`.
+
+        Args:
+            baseline: The design that the others are compared with; the first one when left out.
+            best: Designs that are told at most, the best ones; 1000 when left out. `export` has them all.
+
+        """
+        most = {} if best is None else {"best": str(best)}
+        return Comparison.of(self._transport.get("/v1/comparison", {**self._compared(baseline), **most}))
 
     def export(
         self,

@@ -1,14 +1,13 @@
 //! Studies of the database side by side.
 
 use placement::compare::Entry;
-use results::StudyResult;
 use serde_json::{Map, Value};
 use sqlx::SqliteConnection;
 
 use store::StoreError;
-use store::answers::result_rows::{self, Extent};
+use store::answers::result_rows;
+use store::queue::design_rows::DesignRow;
 use store::queue::study_rows::StudyRow;
-use store::queue::sweep_rows::DesignRow;
 
 /// A study as it is compared, under this name.
 ///
@@ -20,8 +19,7 @@ async fn entry(
     name: &str,
     set: Option<&Map<String, Value>>,
 ) -> Result<Entry, StoreError> {
-    // The map is large, and no part of a comparison.
-    let found = result_rows::find::<StudyResult>(connection, &study.id, Extent::WithoutMap).await?;
+    let found = result_rows::comparable(connection, &study.id).await?;
     let state = study.state().as_str();
     let without = || match &study.error {
         Some(error) => error.clone(),
@@ -32,7 +30,7 @@ async fn entry(
         name: name.to_owned(),
         set: set.cloned(),
         state: state.to_owned(),
-        result: found.map(|(result, _)| result).ok_or_else(without),
+        result: found.ok_or_else(without),
     })
 }
 

@@ -8,7 +8,7 @@ use placement::estimate::Workload;
 use placement::points::worker_threads::in_parallel;
 
 use service::study_document::stored_plan;
-use store::queue::sweep_rows::DesignRow;
+use store::queue::design_rows::DesignRow;
 
 /// Returns what designs ask of a solver; what can't be planned fails by itself. Nothing when it is stopped meanwhile.
 pub fn workloads(

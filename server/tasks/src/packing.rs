@@ -18,7 +18,7 @@ use service::study_document::stored_plan;
 use store::StoreError;
 use store::merging::target::Merging;
 use store::points::evaluations;
-use store::queue::sweep_rows::DesignRow;
+use store::queue::design_rows::DesignRow;
 
 /// Task with the points that its designs would ask for and that are known here.
 pub struct Given {

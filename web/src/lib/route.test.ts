@@ -15,7 +15,7 @@ test("an address and its view are the same thing", () => {
     { ...compareRoute(["0197", "0198", "0199"]), baseline: "0198", shown: "difference" },
     studyRoute("0197"),
     sweepRoute("0197"),
-    { view: "sweep", id: "0197", baseline: "a b/c", shown: "difference", figure: "index-y" },
+    { view: "sweep", id: "0197", from: 2000, baseline: "a b/c", shown: "difference", figure: "index-y" },
     { ...studyRoute("a b/c"), section: "tire", direction: "y", quantity: "strain", input: "P3" },
     { ...studyRoute("0197"), section: "tire", sight: { ...PLAIN_SIGHT, isCut: false, factor: 2, pin: { theta_deg: 3, phi_deg: -40 }, eye: "side" } },
     { ...compareRoute(["0197", "0198"]), direction: "y", quantity: "std", drawnAs: "tires", sight: { ...PLAIN_SIGHT, scale: [0, 0.002] } },

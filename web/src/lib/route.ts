@@ -28,7 +28,8 @@ export type CompareRoute = { view: "compare"; studies: string[]; baseline: strin
 /** What the cells of a grid of two fields show. */
 export const CELL_FIGURES = ["answer", "index-x", "index-y", "angle-error"] as const;
 export type CellFigure = (typeof CELL_FIGURES)[number];
-export type SweepRoute = { view: "sweep"; id: string; baseline: string | null; shown: Shown; figure: CellFigure };
+/** `from` is the place of the first design that the table shows. */
+export type SweepRoute = { view: "sweep"; id: string; from: number; baseline: string | null; shown: Shown; figure: CellFigure };
 
 /** A study's pages, in the order of their links. */
 export const SECTIONS = ["answer", "tire", "layouts", "indices", "trade", "run"] as const;
@@ -67,8 +68,14 @@ export function parseRoute(hash: string): Route {
   const [, kind, id, section] = /^\/(studies|sweeps)\/([^/]+)(?:\/([^/]*))?$/.exec(path) ?? [];
   if (id === undefined) return { view: "nowhere", address: hash };
   const figure = CELL_FIGURES.find((name) => name === values.get("figure")) ?? "answer";
-  if (kind === "sweeps") return { view: "sweep", id: decode(id), baseline: values.get("baseline"), shown, figure };
+  if (kind === "sweeps") return { view: "sweep", id: decode(id), from: placeIn(values), baseline: values.get("baseline"), shown, figure };
   return { view: "study", id: decode(id), section: sectionOf(section, values), films: values.get("films"), sight: readSight(values), ...layerIn(values) };
+}
+
+/** A place counted from zero; the first one where it is none. */
+function placeIn(values: URLSearchParams): number {
+  const from = Number(values.get("from"));
+  return Number.isSafeInteger(from) && from > 0 ? from : 0;
 }
 
 function layerIn(values: URLSearchParams): LayerChoice {
@@ -111,6 +118,7 @@ export function formatRoute(route: Route): string {
     if (route.baseline !== null) values.set("baseline", route.baseline);
     if (route.shown !== "index") values.set("shown", route.shown);
     if (route.view === "sweep" && route.figure !== "answer") values.set("figure", route.figure);
+    if (route.view === "sweep" && route.from > 0) values.set("from", String(route.from));
     if (route.view === "sweep") return withQuery(`#/sweeps/${encodeURIComponent(route.id)}`, values);
     if (route.drawnAs !== "maps") values.set("as", route.drawnAs);
     writeLayer(route, values);
@@ -148,7 +156,7 @@ export function compareRoute(studies: string[]): CompareRoute {
 
 /** The view of a sweep before its reader chose anything. */
 export function sweepRoute(id: string): SweepRoute {
-  return { view: "sweep", id, baseline: null, shown: "index", figure: "answer" };
+  return { view: "sweep", id, from: 0, baseline: null, shown: "index", figure: "answer" };
 }
 
 /** The view of an estimator before its reader chose a force. */

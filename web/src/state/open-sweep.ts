@@ -2,6 +2,7 @@
 
 import * as api from "../api.ts";
 import { isOver } from "../lib/study/point-progress.ts";
+import { designsOf } from "../lib/sweep/design-progress.ts";
 import type { SweepDetail } from "../wire.ts";
 import { openedSweep, type OpenSweep } from "./app-state.ts";
 import { createInView, createPolling, type InView } from "./in-view.ts";
@@ -23,24 +24,28 @@ export function createOpenSweep(store: Store, onChanged: () => void): OpenSweepA
   const inView = createInView(partOf(store, "openSweep"), { begin: openedSweep, load, stop });
   const polling = createPolling(load, POLL_MS);
   let comparing = false;
-  /** What the comparison in view was made of. */
-  let compared = "";
+  /** How many results the comparison in view was made of. */
+  let compared = 0;
   let comparedFrom: string | null = null;
+  /** Place of the first design in view. */
+  let loadedFrom = 0;
   let restUntil_ms = 0;
 
-  /** One that is open takes the baseline of the address. */
+  /** One that is open takes the baseline and the designs of the address. */
   function open(id: string): void {
-    if (inView.isOpen(id)) void compareIfStale();
-    else inView.open(id);
+    if (!inView.isOpen(id)) inView.open(id);
+    else if (placeOf(store) !== loadedFrom) void load(id);
+    else void compareIfStale();
   }
 
   function stop(): void {
     polling.end();
-    [compared, comparedFrom, restUntil_ms] = ["", null, 0];
+    [compared, comparedFrom, restUntil_ms] = [0, null, 0];
   }
 
   async function load(id: string): Promise<void> {
-    const answer = await answerTo(api.sweep(id));
+    loadedFrom = placeOf(store);
+    const answer = await answerTo(api.sweep(id, loadedFrom));
     if (answer.status === "ready") return take(id, answer.value);
     inView.edit(id, (sweep) => (sweep.detail.status === "ready" ? { ...sweep, lost: true } : { ...sweep, detail: answer }));
     pollUnlessOver(id);
@@ -74,9 +79,9 @@ export function createOpenSweep(store: Store, onChanged: () => void): OpenSweepA
     if (comparing || sweep === null || sweep.detail.status !== "ready") return;
     const { id, detail } = sweep;
     const baseline = baselineOf(detail.value, route.view === "sweep" ? route.baseline : null);
-    const results = resultsOf(detail.value);
-    const urgent = compared === "" || baseline !== comparedFrom || isOver(detail.value.state);
-    if (results === "" || (results === compared && baseline === comparedFrom)) return;
+    const results = detail.value.counts.done;
+    const urgent = compared === 0 || baseline !== comparedFrom || isOver(detail.value.state);
+    if (results === 0 || (results === compared && baseline === comparedFrom)) return;
     if (!urgent && Date.now() < restUntil_ms) return;
     comparing = true;
     [compared, comparedFrom] = [results, baseline];
@@ -101,7 +106,7 @@ export function createOpenSweep(store: Store, onChanged: () => void): OpenSweepA
     inView.edit(id, (sweep) => ({ ...sweep, problem: null }));
     const answer = await answerTo(question(id));
     if (answer.status === "failed") return inView.edit(id, (sweep) => ({ ...sweep, problem: answer.problem }));
-    take(id, answer.value);
+    await load(id);
     onChanged();
   }
 
@@ -109,13 +114,15 @@ export function createOpenSweep(store: Store, onChanged: () => void): OpenSweepA
   return { open, close, reopen, cancel: () => ask(api.cancelSweep), resume: () => ask(api.resumeSweep), refresh: (id) => void (inView.isOpen(id) && load(id)) };
 }
 
-/** The designs that have a result, as one text. */
-function resultsOf(sweep: SweepDetail): string {
-  const done = sweep.designs.filter(({ study }) => study.state === "done");
-  return done.map(({ study }) => study.id).join(" ");
+/** The place of the first design that the address asks for. */
+function placeOf(store: Store): number {
+  const { route } = store.get();
+  return route.view === "sweep" ? route.from : 0;
 }
 
 /** The baseline asked for; null, for the first design that has a result, when it is none of the sweep's. */
 function baselineOf(sweep: SweepDetail, wanted: string | null): string | null {
-  return sweep.designs.some(({ study }) => study.id === wanted) ? wanted : null;
+  const isInView = sweep.designs.some(({ study }) => study.id === wanted);
+  // One of those that aren't in view may be it.
+  return isInView || sweep.designs.length < designsOf(sweep) ? wanted : null;
 }

@@ -15,7 +15,7 @@ use crate::study::study_reader::LONGEST_NAME;
 use document::typed::field_value::read_name;
 
 /// Most designs of a sweep.
-pub const MOST_DESIGNS: usize = 1000;
+pub const MOST_DESIGNS: usize = 10_000;
 /// Most values that a design sets: a scene has fewer fields.
 const MOST_SET: usize = 100;
 /// Most bytes of the values of all designs, written out as JSON: a grid repeats each in many designs.

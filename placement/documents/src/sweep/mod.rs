@@ -30,7 +30,7 @@ use crate::study::study_reader::LONGEST_NAME;
 use document::typed::field_value::read_name;
 
 /// Most solves that all designs of a document ask for at first: each is planned before anything is stored.
-const MOST_SOLVES: usize = 100_000;
+const MOST_SOLVES: usize = 300_000;
 /// Whether a path leads into the study's document, and not into its scene. A design has a name of its own.
 fn is_of_study(path: &str) -> bool {
     let step = first_step(path);

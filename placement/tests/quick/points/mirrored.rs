@@ -6,7 +6,7 @@ use fem_client::solver::direction::Direction;
 use fem_client::solver::{Response, SolveError, SolveRequest, Solved, Solver};
 use gsa::law::distribution::Distribution;
 use gsa::method::analysis::Status;
-use placement::compare::{ComparedLocation, Entry, compare};
+use placement::compare::{Comparable, ComparedLocation, Entry, compare};
 use results::{IndexMap, Output, RankedLocation, StudyResult};
 
 use crate::support::{MemoryArchive, answered, observed, shipped};
@@ -104,12 +104,15 @@ fn differences_between_designs_are_the_same_for_mirror_places() {
         name: id.to_owned(),
         set: None,
         state: "done".to_owned(),
-        result: Ok(answered_by(&shipped("foot-tire"), |response| {
-            for location in &mut response.locations {
-                location.strain.x *= 1.0 + strength * location.strain.y;
-            }
-            entangle(response);
-        })),
+        result: Ok(Comparable::of(&answered_by(
+            &shipped("foot-tire"),
+            |response| {
+                for location in &mut response.locations {
+                    location.strain.x *= 1.0 + strength * location.strain.y;
+                }
+                entangle(response);
+            },
+        ))),
     };
     let found = compare(&[entry("a", 0.0), entry("b", 1.0)], None);
     let row = |name: &str| -> &ComparedLocation {

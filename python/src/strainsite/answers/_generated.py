@@ -2869,6 +2869,8 @@ class SweepSummary:
     """Time at which its last design ended."""
     archived: str | None = None
     """Time at which it was archived; None unless it is."""
+    worked_s: float
+    """Time in which any of its designs was at work so far, s."""
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 # What passes: too much at once, the disk full, a proxy whose service is being started again.
 TRY_AGAIN = frozenset({429, 502, 503, 504, 507})
+# Thousands of designs are checked for minutes before a sweep is taken in.
+LONGEST_CHECK_S = 600.0
 # A service that never answered is rather not there than about to come back.
 _PATIENCE_AT_FIRST_S = 3.0
 _PATIENCE_S = 30.0

@@ -109,18 +109,27 @@ impl ComparisonExport {
 
 fn locations(comparison: &Comparison) -> TypedTable {
     let studies = comparison.studies.iter();
-    let by_id: HashMap<&str, &ComparedStudy> = studies.map(|s| (s.id.as_str(), s)).collect();
+    let by_id: HashMap<&str, Value> = studies.map(|s| (s.id.as_str(), of_study(s))).collect();
     let rows = comparison.rows.iter().filter_map(|row| {
         let study = by_id.get(row.study.as_str())?;
         Some(json!({ "row": row, "study": study, "comparison": named(comparison) }))
     });
-    typed(&columns::compared_locations(), comparison, rows.collect())
+    typed(&columns::compared_locations(), comparison, rows)
 }
 
 fn designs(comparison: &Comparison) -> TypedTable {
     let studies = comparison.studies.iter();
-    let rows = studies.map(|study| json!({ "study": study, "comparison": named(comparison) }));
-    typed(&columns::designs(), comparison, rows.collect())
+    let rows = studies.map(|s| json!({ "study": of_study(s), "comparison": named(comparison) }));
+    typed(&columns::designs(), comparison, rows)
+}
+
+/// Part of a row that is a study, without the trade of its layouts: no column has any of that, and it is most of a study.
+fn of_study(study: &ComparedStudy) -> Value {
+    let mut part = json!(study);
+    if let Some(answer) = part["answer"].as_object_mut() {
+        answer.remove("trade");
+    }
+    part
 }
 
 /// Part of a row that is the comparison itself.
@@ -129,7 +138,11 @@ fn named(comparison: &Comparison) -> Value {
 }
 
 /// A table that begins with the study, its name, and each field that any design sets.
-fn typed(described: &columns::Table, comparison: &Comparison, mut rows: Vec<Value>) -> TypedTable {
+fn typed(
+    described: &columns::Table,
+    comparison: &Comparison,
+    rows: impl Iterator<Item = Value>,
+) -> TypedTable {
     let sets = comparison.studies.iter().filter_map(|s| s.set.as_ref());
     let paths: BTreeSet<&String> = sets.clone().flat_map(|set| set.keys()).collect();
     let mut columns = vec![
@@ -146,12 +159,13 @@ fn typed(described: &columns::Table, comparison: &Comparison, mut rows: Vec<Valu
             Column::text(path, &at)
         });
     }
-    for row in &mut rows {
+    columns.extend(described.exported().cloned());
+    let with_settings = |mut row: Value| {
         let set = |path: &&String| row["study"]["set"].get(*path).cloned().map(plain);
         row["set"] = paths.iter().map(set).collect();
-    }
-    columns.extend(described.exported().cloned());
-    TypedTable::of(&columns, &rows)
+        row
+    };
+    TypedTable::of(&columns, rows.map(with_settings))
 }
 
 /// Writes what isn't a number as people do: a word as it is, anything else as JSON.

@@ -1,5 +1,7 @@
 //! A table of typed columns: what every format is written from.
 
+use std::borrow::Borrow;
+
 use results::columns::{Column, Kind, text};
 use serde_json::Value;
 
@@ -45,29 +47,46 @@ impl Values {
         }
     }
 
-    /// A column's values. A whole number beyond 64 bits, which nothing counts up to, is left out.
-    fn of(column: &Column, rows: &[Value]) -> Self {
-        let values = rows.iter().map(|row| column.value(row));
-        match column.kind {
-            Kind::Float | Kind::Share => Self::Float(values.map(|value| value?.as_f64()).collect()),
-            Kind::Integer => Self::Integer(values.map(|value| value?.as_i64()).collect()),
-            Kind::Bool => Self::Bool(values.map(|value| value?.as_bool()).collect()),
-            Kind::Text => Self::Text(values.map(|value| value.map(text)).collect()),
+    /// No values of a kind.
+    fn none(kind: Kind) -> Self {
+        match kind {
+            Kind::Float | Kind::Share => Self::Float(Vec::new()),
+            Kind::Integer => Self::Integer(Vec::new()),
+            Kind::Bool => Self::Bool(Vec::new()),
+            Kind::Text => Self::Text(Vec::new()),
+        }
+    }
+
+    /// Adds a row's value. A whole number beyond 64 bits, which nothing counts up to, is left out.
+    fn push(&mut self, value: Option<&Value>) {
+        match self {
+            Self::Float(values) => values.push(value.and_then(Value::as_f64)),
+            Self::Integer(values) => values.push(value.and_then(Value::as_i64)),
+            Self::Bool(values) => values.push(value.and_then(Value::as_bool)),
+            Self::Text(values) => values.push(value.map(text)),
         }
     }
 }
 
 impl TypedTable {
-    /// Makes a table of these columns of rows.
-    pub fn of<'c>(columns: impl IntoIterator<Item = &'c Column>, rows: &[Value]) -> Self {
-        let typed = |column: &Column| TypedColumn {
+    /// Makes a table of these columns of rows, of which one is there at a time.
+    pub fn of<'c>(
+        columns: impl IntoIterator<Item = &'c Column>,
+        rows: impl IntoIterator<Item = impl Borrow<Value>>,
+    ) -> Self {
+        let described: Vec<&Column> = columns.into_iter().collect();
+        let typed = |column: &&Column| TypedColumn {
             name: column.name.clone(),
             unit: column.unit,
-            values: Values::of(column, rows),
+            values: Values::none(column.kind),
         };
-        Self {
-            columns: columns.into_iter().map(typed).collect(),
+        let mut columns: Vec<TypedColumn> = described.iter().map(typed).collect();
+        for row in rows {
+            for (described, column) in described.iter().zip(&mut columns) {
+                column.values.push(described.value(row.borrow()));
+            }
         }
+        Self { columns }
     }
 
     /// Adds a column that has the same text in every row.

@@ -158,16 +158,29 @@ impl Queue {
     /// # Errors
     /// When the database can't be written.
     pub async fn cancel(&self, id: &str) -> Result<(), StoreError> {
+        self.cancel_all(&[id]).await
+    }
+
+    /// Cancels studies at once, as [`Queue::cancel`] does one.
+    pub(super) async fn cancel_all(&self, ids: &[&str]) -> Result<(), StoreError> {
         let store = &self.engine.store;
         let mut transaction = store.begin().await?;
-        if study_rows::cancel(&mut transaction, id).await? {
-            let event = event_rows::insert(&mut transaction, id, "cancelled", &json!({})).await?;
+        let mut event = None;
+        for id in ids {
+            if study_rows::cancel(&mut transaction, id).await? {
+                let nothing = json!({});
+                let told = event_rows::insert(&mut transaction, id, "cancelled", &nothing);
+                event = Some(told.await?);
+            }
+        }
+        if let Some(event) = event {
             store.commit(transaction, event).await?;
         }
         // Whether others lack it too is seen when they are stored.
         self.lacks_room.store(false, Ordering::Relaxed);
         let current = self.current.borrow();
-        if let Some(current) = current.as_ref().filter(|current| current.study == id) {
+        let is_cancelled = |current: &&Current| ids.contains(&current.study.as_str());
+        if let Some(current) = current.as_ref().filter(is_cancelled) {
             current.stop.store(true, Ordering::Relaxed);
         }
         Ok(())

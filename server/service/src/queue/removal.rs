@@ -7,7 +7,7 @@ use sqlx::{Sqlite, Transaction};
 use tokio::time::timeout;
 
 use crate::queue::Queue;
-use store::queue::sweep_rows;
+use store::queue::design_rows;
 use store::removal::{self, BATCH};
 use store::{Store, StoreError};
 
@@ -86,7 +86,7 @@ impl Queue {
 
 async fn refuse_design(store: &Store, id: &str) -> Result<(), RemovalError> {
     let mut connection = store.read().await?;
-    match sweep_rows::of_study(&mut connection, id).await? {
+    match design_rows::of_study(&mut connection, id).await? {
         Some(sweep) => Err(RemovalError::Design { sweep }),
         None => Ok(()),
     }

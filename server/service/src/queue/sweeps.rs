@@ -13,12 +13,13 @@ use crate::queue::submit_error::{SubmitError, TooManyDesigns};
 use crate::queue::{Queue, enqueue};
 use crate::study_document::stored_study;
 use store::content::sha256;
+use store::queue::design_rows::{self, DesignRow, Standing};
 use store::queue::engine_rows;
 use store::queue::study_rows::State;
-use store::queue::sweep_rows::{self, DesignRow, SweepRow};
+use store::queue::sweep_rows::{self, SweepRow};
 use store::{Store, StoreError};
 
-/// Continuation of a sweep. Worked out before it is written: reading a thousand designs takes a second, for which nobody else should wait.
+/// Continuation of a sweep. Worked out before it is written: reading a thousand designs takes seconds, for which nobody else should wait.
 #[derive(Debug, Default)]
 pub struct Continuation {
     /// Designs that ended without a result and are tried again as new studies, by their places; the old ones stay as they ended.
@@ -57,10 +58,7 @@ impl Continuation {
             .collect();
         let is_new = |design: &Design| !known.contains(&nameless(&design.study));
         let new: Vec<Design> = designs.into_iter().filter(is_new).collect();
-        let (there, more) = (there.len(), new.len());
-        if more > 0 && there + more > MOST_DESIGNS {
-            return Err(TooManyDesigns { there, more });
-        }
+        fits(there.len(), new.len())?;
         Ok(Self { new, ..self })
     }
 
@@ -75,7 +73,7 @@ impl Continuation {
     ) -> Result<(), StoreError> {
         for (ordinal, study) in &self.again {
             let again = enqueue(connection, study, sweep.priority).await?;
-            sweep_rows::replace_study(connection, &sweep.id, *ordinal, &again).await?;
+            design_rows::replace_study(connection, &sweep.id, *ordinal, &again).await?;
         }
         add_all(connection, &sweep.id, sweep.priority, &self.new).await
     }
@@ -168,13 +166,19 @@ impl Queue {
     /// # Errors
     /// When the database can't be written.
     pub async fn cancel_sweep(&self, id: &str) -> Result<(), StoreError> {
-        for design in designs_of(self.store(), id).await? {
-            if !design.study.ended() {
-                self.cancel(&design.study.id).await?;
-            }
-        }
-        Ok(())
+        let designs = designs_of(self.store(), id).await?;
+        let open = designs.iter().filter(|design| !design.study.ended());
+        let open: Vec<&str> = open.map(|design| design.study.id.as_str()).collect();
+        self.cancel_all(&open).await
     }
+}
+
+/// Refuses more designs than a sweep may have.
+fn fits(there: usize, more: usize) -> Result<(), TooManyDesigns> {
+    if more > 0 && there + more > MOST_DESIGNS {
+        return Err(TooManyDesigns { there, more });
+    }
+    Ok(())
 }
 
 /// The designs of a sweep with their studies, in order.
@@ -183,7 +187,16 @@ impl Queue {
 /// When the database can't be read.
 pub async fn designs_of(store: &Store, id: &str) -> Result<Vec<DesignRow>, StoreError> {
     let mut connection = store.read().await?;
-    sweep_rows::designs(&mut connection, id).await
+    design_rows::designs(&mut connection, id, design_rows::ALL).await
+}
+
+/// Standing of a sweep.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn standing_of(store: &Store, id: &str) -> Result<Standing, StoreError> {
+    let mut connection = store.read().await?;
+    design_rows::standing(&mut connection, id).await
 }
 
 /// Stores a sweep with a queued study for each design.
@@ -209,7 +222,7 @@ async fn add_all(
 ) -> Result<(), StoreError> {
     for design in designs {
         let study = enqueue(connection, &design.study, priority).await?;
-        sweep_rows::add_design(connection, sweep, &design.name, &design.set, &study).await?;
+        design_rows::add_design(connection, sweep, &design.name, &design.set, &study).await?;
     }
     Ok(())
 }
@@ -222,4 +235,25 @@ fn content_sha256(sweep: &Sweep) -> String {
     }
     let parts: Vec<&[u8]> = parts.iter().map(|part| part.as_bytes()).collect();
     sha256(&parts)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sweep_is_never_extended_beyond_what_one_may_have() {
+        for (there, more, is_fit) in [
+            (MOST_DESIGNS - 1, 1, true),
+            (MOST_DESIGNS, 1, false),
+            // What it has already is no more.
+            (MOST_DESIGNS, 0, true),
+        ] {
+            assert_eq!(fits(there, more).is_ok(), is_fit, "{there} and {more}");
+        }
+        let refused = fits(MOST_DESIGNS, 2).map_err(|error| error.to_string());
+        let told =
+            "the sweep has 10000 designs and would have 2 more; 10000 are the most of one sweep";
+        assert_eq!(refused, Err(told.to_owned()));
+    }
 }

@@ -8,8 +8,9 @@ use utoipa::ToSchema;
 use crate::wire::study_wire::StudySummary;
 use crate::wire::sweep_state::state_of;
 use store::StoreError;
+use store::queue::design_rows::{DesignRow, Standing};
 use store::queue::study_rows::State;
-use store::queue::sweep_rows::{DesignRow, SweepRow};
+use store::queue::sweep_rows::SweepRow;
 
 /// A sweep: its schema is that of the document.
 #[derive(Debug, ToSchema)]
@@ -42,6 +43,8 @@ pub struct SweepSummary {
     pub finished: Option<String>,
     /// Time at which it was archived; null unless it is.
     pub archived: Option<String>,
+    /// Time in which any of its designs was at work so far, s.
+    pub worked_s: f64,
 }
 
 /// Designs by where they stand.
@@ -68,7 +71,7 @@ pub struct SweepDetail {
     /// The canonical document of the study without changes.
     #[schema(value_type = Object)]
     pub document: Value,
-    /// The designs in order.
+    /// The designs in order, as many as were asked for; `counts` has them all.
     pub designs: Vec<DesignView>,
 }
 
@@ -119,15 +122,12 @@ pub struct DesignEstimate {
 
 impl SweepSummary {
     /// Reads what the rows of the database say.
-    pub fn of(sweep: &SweepRow, designs: &[DesignRow]) -> Self {
-        let states = designs.iter().map(|design| design.study.state());
-        let count = |state: State| states.clone().filter(|other| *other == state).count();
-        let ended = designs.iter().all(|design| design.study.ended());
-        let finished = designs.iter().filter_map(|d| d.study.finished.as_ref());
+    pub fn of(sweep: &SweepRow, standing: &Standing) -> Self {
+        let count = |state: State| standing.count(state);
         Self {
             id: sweep.id.clone(),
             name: sweep.name.clone(),
-            state: state_of(states.clone()),
+            state: state_of(|state| count(state) > 0),
             counts: DesignCounts {
                 queued: count(State::Queued),
                 running: count(State::Running),
@@ -135,12 +135,13 @@ impl SweepSummary {
                 failed: count(State::Failed),
                 cancelled: count(State::Cancelled),
             },
-            points_total: designs.iter().map(|d| d.study.points_total).sum(),
-            points_done: designs.iter().map(|d| d.study.points_done).sum(),
+            points_total: standing.points_total,
+            points_done: standing.points_done,
             priority: sweep.priority,
             created: sweep.created.clone(),
-            finished: finished.max().filter(|_| ended).cloned(),
+            finished: standing.finished.clone(),
             archived: sweep.archived.clone(),
+            worked_s: standing.worked_s,
         }
     }
 }
@@ -150,7 +151,11 @@ impl SweepDetail {
     ///
     /// # Errors
     /// When the document in them is damaged.
-    pub fn of(sweep: &SweepRow, designs: &[DesignRow]) -> Result<Self, StoreError> {
+    pub fn of(
+        sweep: &SweepRow,
+        standing: &Standing,
+        designs: &[DesignRow],
+    ) -> Result<Self, StoreError> {
         let view = |design: &DesignRow| DesignView {
             ordinal: design.ordinal,
             name: design.name.clone(),
@@ -158,7 +163,7 @@ impl SweepDetail {
             study: StudySummary::of(&design.study),
         };
         Ok(Self {
-            summary: SweepSummary::of(sweep, designs),
+            summary: SweepSummary::of(sweep, standing),
             document: serde_json::from_str(sweep.document()?).unwrap_or(Value::Null),
             designs: designs.iter().map(view).collect(),
         })

@@ -8,7 +8,7 @@ use clap::Args;
 use document::visible::visible;
 use fem_client::solver::direction::Direction;
 use placement::compare::{
-    ComparedIndex, ComparedLocation, ComparedStudy, Comparison, Entry, Verdict, compare,
+    ComparedIndex, ComparedLocation, ComparedStudy, Comparison, Entry, MOST_TOLD, Verdict, compare,
 };
 use results::columns;
 use serde_json::{Value, json};
@@ -24,8 +24,8 @@ use crate::cli::terminal::paint::{FAINT, HEADER, STRONG, header, left, of_state,
 use crate::cli::terminal::wrapping::{COLUMNS, cut, labelled, told_apart, wrapped};
 use service::comparison::{of_designs, of_studies};
 use service::export::{ComparisonExport, ComparisonFormat, ComparisonTable};
+use store::queue::design_rows;
 use store::queue::short_names::{Listing, meant};
-use store::queue::sweep_rows;
 
 /// Compare studies, or the designs of a sweep: what differs, and which differences are real
 #[derive(Debug, Args)]
@@ -89,7 +89,7 @@ impl Compare {
         if let Some(target) = &self.json {
             target.write(&comparison)?;
         }
-        tell(&table(&comparison), self.json.as_ref())
+        tell(&table(&comparison.best(MOST_TOLD)), self.json.as_ref())
     }
 
     async fn entries(&self, connection: &mut SqliteConnection) -> Result<Vec<Entry>, Failure> {
@@ -97,7 +97,7 @@ impl Compare {
             let found = meant(connection, Listing::Sweeps, id).await;
             let found = found.map_err(Failure::other)?;
             if let [sweep] = &found[..] {
-                let designs = sweep_rows::designs(connection, sweep).await;
+                let designs = design_rows::designs(connection, sweep, design_rows::ALL).await;
                 let designs = designs.map_err(Failure::other)?;
                 let entries = of_designs(connection, &designs).await;
                 return entries.map_err(Failure::other);

@@ -9,8 +9,7 @@ use axum::Json;
 use axum::extract::State;
 use axum::http::StatusCode;
 use axum::response::Response;
-use documents::sweep::MOST_DESIGNS;
-use placement::compare::{Comparison, Entry, compare};
+use placement::compare::{Comparison, Entry, MOST_TOLD, compare};
 use serde::Deserialize;
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
@@ -25,6 +24,7 @@ use crate::http::routes::sweep_routes;
 use crate::http::short_ids::whole_id;
 use service::comparison::{of_designs, of_studies};
 use service::export::{ComparisonExport, ComparisonFormat, ComparisonTable};
+use service::queue::sweeps::designs_of;
 use service::wire::examples::{self, absent};
 use service::wire::study_wire::ProblemDocument;
 use service::wire::sweep_examples;
@@ -45,6 +45,13 @@ struct ComparisonQuery {
 }
 
 #[derive(Deserialize)]
+struct ToldQuery {
+    #[serde(flatten)]
+    of: ComparisonQuery,
+    best: Option<String>,
+}
+
+#[derive(Deserialize)]
 struct ExportQuery {
     #[serde(flatten)]
     of: ComparisonQuery,
@@ -60,16 +67,22 @@ struct ExportQuery {
     params(
         ("studies" = Option<String>, Query, description = "Identifiers of the studies, separated by commas; or else a sweep", example = "019aa2b3-7c4d-7e5f-8a6b-1c2d3e4f5a6b"),
         ("sweep" = Option<String>, Query, description = "Identifier of a sweep, whose designs are compared"),
-        ("baseline" = Option<String>, Query, description = "Identifier of the study to take differences from; the first that has a result when left out")),
+        ("baseline" = Option<String>, Query, description = "Identifier of the study to take differences from; the first that has a result when left out"),
+        ("best" = Option<usize>, Query, description = "Studies that are told at most, the best ones and the baseline; 1000 when left out. The export has them all", minimum = 1, maximum = 1000, example = 10)),
     responses((status = 200, description = "The table", body = Comparison),
               (status = 400, description = "The query asks for nothing that can be compared", body = ProblemDocument, content_type = "application/problem+json", example = json!(absent())),
               (status = 404, description = "There is no such study or sweep", body = ProblemDocument, content_type = "application/problem+json", example = json!(absent()))))]
 async fn compare_studies(
     State(state): State<AppState>,
-    Params(query): Params<ComparisonQuery>,
+    Params(query): Params<ToldQuery>,
     _making: Making,
 ) -> Result<Json<Comparison>, Problem> {
-    compared(&state, &query).await.map(Json)
+    let best = query.best.as_deref().map(str::parse).transpose();
+    let best = best.ok().map(|best| best.unwrap_or(MOST_TOLD));
+    let best = best.filter(|best| (1..=MOST_TOLD).contains(best));
+    let best = best.ok_or_else(|| wrong(&format!("best is between 1 and {MOST_TOLD}")))?;
+    let comparison = compared(&state, &query.of).await?;
+    Ok(Json(comparison.best(best)))
 }
 
 /// Download a comparison
@@ -114,7 +127,8 @@ async fn compared(state: &AppState, query: &ComparisonQuery) -> Result<Compariso
     let entries = match (&query.studies, &query.sweep) {
         (Some(studies), None) => entries_of(state, studies).await?,
         (None, Some(id)) => {
-            let (_, designs) = sweep_routes::known(&state.store, id).await?;
+            sweep_routes::known(&state.store, id).await?;
+            let designs = designs_of(&state.store, id).await?;
             let mut entries = Vec::new();
             for design in &designs {
                 let mut connection = state.store.read_whole().await?;
@@ -143,8 +157,8 @@ fn wrong(detail: &str) -> Problem {
 
 async fn entries_of(state: &AppState, list: &str) -> Result<Vec<Entry>, Problem> {
     let ids: Vec<&str> = list.split(',').map(str::trim).collect();
-    if ids.len() > MOST_DESIGNS {
-        let detail = format!("at most {MOST_DESIGNS} studies are compared at once");
+    if ids.len() > MOST_TOLD {
+        let detail = format!("at most {MOST_TOLD} studies are compared at once");
         return Err(wrong(&detail));
     }
     let mut rows = Vec::new();

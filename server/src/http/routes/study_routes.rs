@@ -29,8 +29,8 @@ use service::wire::study_wire::{
 use store::Store;
 use store::answers::result_rows;
 use store::answers::trades;
+use store::queue::design_rows;
 use store::queue::study_rows::{self, Filter, State as StudyState, StudyRow};
-use store::queue::sweep_rows;
 
 /// `/v1/studies` and `/v1/studies/{id}`.
 pub(crate) fn router() -> OpenApiRouter<AppState> {
@@ -212,7 +212,7 @@ async fn show(
         estimate: estimate.and_then(Result::ok),
         result_sha256: result_rows::sha256_of(&mut connection, &id).await?,
         trade_measured: trades::is_measured(&mut connection, &study.spec_sha256).await?,
-        sweep: sweep_rows::of_study(&mut connection, &id).await?,
+        sweep: design_rows::of_study(&mut connection, &id).await?,
     };
     conditional::json(&headers, &detail)
 }

@@ -3,11 +3,14 @@
 // What users send is read here: nothing of it may end in a panic.
 #![warn(clippy::expect_used, clippy::indexing_slicing, clippy::panic)]
 
+use std::ops::Range;
+
 use axum::Json;
 use axum::extract::State;
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
-use documents::sweep::designs_of;
+use documents::sweep::{Design, MOST_DESIGNS, designs_of};
+use futures_util::{StreamExt, TryStreamExt, stream};
 use serde::Deserialize;
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
@@ -30,7 +33,8 @@ use service::wire::sweep_wire::{
     FurtherDesignsDocument, SweepDetail, SweepDocument, SweepEstimate, SweepPage, SweepSummary,
 };
 use store::Store;
-use store::queue::sweep_rows::{self, DesignRow, SweepRow};
+use store::queue::design_rows;
+use store::queue::sweep_rows::{self, SweepRow};
 
 /// `/v1/sweeps` and what is below it.
 pub(crate) fn router() -> OpenApiRouter<AppState> {
@@ -77,7 +81,7 @@ async fn submit_sweep(
     let key = idempotency_key(&headers)?;
     let priority = priority(query.priority.as_deref())?;
     let engine = willing(&state.away, query.engine.as_deref()).await?;
-    admit_all(&state, sweep.designs.iter().map(|design| &design.study)).await?;
+    admit_all(&state, &sweep.designs).await?;
     let submitted = state.queue.submit_sweep(&sweep, priority, key, engine);
     let id = submitted.await.map_err(unsubmitted)?;
     state.away.look();
@@ -92,24 +96,35 @@ struct SweepQuery {
     engine: Option<String>,
 }
 
+/// Most designs that are told of a sweep at once.
+const MOST_TOLD: usize = 1000;
+
+/// Query of a sweep that is looked at.
+#[derive(Deserialize)]
+struct DesignsQuery {
+    from: Option<usize>,
+    limit: Option<usize>,
+}
+
 /// Query of a sweep that goes on.
 #[derive(Deserialize)]
 struct EngineQuery {
     engine: Option<String>,
 }
 
-/// Refuses designs that would take more memory than they may.
-async fn admit_all(
-    state: &AppState,
-    studies: impl Iterator<Item = &documents::study::Study>,
-) -> Result<(), Problem> {
-    let engine = &state.engine;
-    for study in studies {
-        let planned = plan_study(study).await.map_err(refused)?;
-        let admitted = admit(&engine.solver, engine.threads, state.memory_bytes, &planned).await;
-        admitted.map_err(refused)?;
-    }
-    Ok(())
+/// Refuses designs that would take more memory than they may; as many are planned side by side as there are threads to solve.
+async fn admit_all(state: &AppState, designs: &[Design]) -> Result<(), Problem> {
+    let (threads, memory_bytes) = (state.engine.threads, state.memory_bytes);
+    let admitted = designs.iter().map(|design| {
+        let (solver, study) = (state.engine.solver.clone(), design.study.clone());
+        async move {
+            let planned = plan_study(&study).await?;
+            admit(&solver, threads, memory_bytes, &planned).await
+        }
+    });
+    let admitted: Vec<_> = admitted.collect();
+    let admitted = stream::iter(admitted).buffered(threads);
+    admitted.try_collect::<()>().await.map_err(refused)
 }
 
 /// List sweeps
@@ -136,8 +151,8 @@ async fn list_sweeps(
     let page = rows.get(..limit as usize).unwrap_or(&rows);
     let mut summaries = Vec::new();
     for row in page {
-        let designs = sweep_rows::designs(&mut connection, &row.id).await?;
-        summaries.push(SweepSummary::of(row, &designs));
+        let standing = design_rows::standing(&mut connection, &row.id).await?;
+        summaries.push(SweepSummary::of(row, &standing));
     }
     let next = page.last().filter(|_| rows.len() > page.len());
     let page = SweepPage {
@@ -149,19 +164,29 @@ async fn list_sweeps(
 
 /// Look at a sweep
 ///
-/// Its designs with their studies, and how far they are.
+/// How far it is, and its designs with their studies, a part of them at a time.
 #[utoipa::path(get, path = "/v1/sweeps/{id}", tag = "sweeps",
-    params(SweepPath, ("If-None-Match" = Option<String>, Header, description = "ETag of the sweep as the client has it")),
+    params(SweepPath,
+        ("from" = Option<u32>, Query, description = "Place of the first design that is told, 0 when left out", minimum = 0, maximum = 10000, example = 200),
+        ("limit" = Option<u32>, Query, description = "Designs that are told at most, 1000 when left out; `counts` has them all", minimum = 1, maximum = 1000, example = 100),
+        ("If-None-Match" = Option<String>, Header, description = "ETag of the sweep as the client has it")),
     responses((status = 304, description = "The client has it"),
               (status = 200, description = "The sweep", body = SweepDetail),
               (status = 404, description = "There is no such sweep", body = ProblemDocument, content_type = "application/problem+json", example = json!(absent()))))]
 async fn show_sweep(
     State(state): State<AppState>,
     SweepId(id): SweepId,
+    Params(query): Params<DesignsQuery>,
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
-    let (sweep, designs) = known(&state.store, &id).await?;
-    conditional::json(&headers, &SweepDetail::of(&sweep, &designs)?)
+    let (from, limit) = (query.from.unwrap_or(0), query.limit.unwrap_or(MOST_TOLD));
+    if from > MOST_DESIGNS || !(1..=MOST_TOLD).contains(&limit) {
+        let detail =
+            format!("from is between 0 and {MOST_DESIGNS}, limit between 1 and {MOST_TOLD}");
+        return Err(Problem::new(StatusCode::BAD_REQUEST, &detail));
+    }
+    let sweep = detail(&state.store, &id, from..from + limit).await?;
+    conditional::json(&headers, &sweep)
 }
 
 /// Rename or archive a sweep
@@ -185,8 +210,10 @@ async fn change_sweep(
     let mut transaction = state.store.begin().await?;
     sweep_rows::change(&mut transaction, &id, &change).await?;
     state.store.commit(transaction, 0).await?;
-    let (sweep, designs) = known(&state.store, &id).await?;
-    Ok(Json(SweepSummary::of(&sweep, &designs)))
+    let sweep = known(&state.store, &id).await?;
+    let mut connection = state.store.read().await?;
+    let standing = design_rows::standing(&mut connection, &id).await?;
+    Ok(Json(SweepSummary::of(&sweep, &standing)))
 }
 
 /// Extend a sweep
@@ -206,13 +233,13 @@ async fn extend_sweep(
     SweepId(id): SweepId,
     document: Document,
 ) -> Result<Response, Problem> {
-    let (sweep, _) = known(&state.store, &id).await?;
+    let sweep = known(&state.store, &id).await?;
     let outdated = |cause| Problem::new(StatusCode::CONFLICT, cause);
     let base = stored_base(&sweep).map_err(outdated)?;
     let designs = document
         .checked(move |value| designs_of(&base, value))
         .await?;
-    admit_all(&state, designs.iter().map(|design| &design.study)).await?;
+    admit_all(&state, &designs).await?;
     let extended = state.queue.extend_sweep(&sweep, designs).await;
     extended.map_err(unsubmitted)?;
     accepted(&state.store, &id).await
@@ -234,7 +261,7 @@ async fn resume_sweep(
     SweepId(id): SweepId,
     Params(query): Params<EngineQuery>,
 ) -> Result<Response, Problem> {
-    let (sweep, _) = known(&state.store, &id).await?;
+    let sweep = known(&state.store, &id).await?;
     let engine = willing(&state.away, query.engine.as_deref()).await?;
     let resumed = state.queue.resume_sweep(&sweep, engine).await;
     resumed.map_err(unsubmitted)?;
@@ -284,22 +311,29 @@ async fn estimate_sweep(
     estimate.map(Json).map_err(refused)
 }
 
-/// The sweep of this identifier with its designs, or 404.
-pub async fn known(store: &Store, id: &str) -> Result<(SweepRow, Vec<DesignRow>), Problem> {
+/// The sweep of this identifier, or 404.
+pub async fn known(store: &Store, id: &str) -> Result<SweepRow, Problem> {
     let mut connection = store.read().await?;
     let absent = || Problem::not_found(format!("there is no sweep {id:?}"));
-    let sweep = sweep_rows::find(&mut connection, id).await?;
-    let sweep = sweep.ok_or_else(absent)?;
-    let designs = sweep_rows::designs(&mut connection, id).await?;
-    Ok((sweep, designs))
+    sweep_rows::find(&mut connection, id)
+        .await?
+        .ok_or_else(absent)
+}
+
+/// The sweep of this identifier with its designs at these places, or 404.
+async fn detail(store: &Store, id: &str, places: Range<usize>) -> Result<SweepDetail, Problem> {
+    let sweep = known(store, id).await?;
+    let mut connection = store.read().await?;
+    let standing = design_rows::standing(&mut connection, id).await?;
+    let designs = design_rows::designs(&mut connection, id, places).await?;
+    Ok(SweepDetail::of(&sweep, &standing, &designs)?)
 }
 
 async fn accepted(store: &Store, id: &str) -> Result<Response, Problem> {
-    let (sweep, designs) = known(store, id).await?;
     let headers = [
         (header::LOCATION, format!("/v1/sweeps/{id}")),
         (header::RETRY_AFTER, "1".to_owned()),
     ];
-    let detail = Json(SweepDetail::of(&sweep, &designs)?);
-    Ok((StatusCode::ACCEPTED, headers, detail).into_response())
+    let sweep = Json(detail(store, id, 0..MOST_TOLD).await?);
+    Ok((StatusCode::ACCEPTED, headers, sweep).into_response())
 }

@@ -1,10 +1,12 @@
 //! Results. The map, which is most of one, is kept apart, so that all else is read without it.
 
+use placement::compare::Comparable;
 use results::{StudyCost, StudyResult};
 use serde::de::DeserializeOwned;
 use sqlx::sqlite::SqliteRow;
 use sqlx::{Row, SqliteConnection};
 
+use crate::answers::extracts;
 use crate::clock::now;
 use crate::column::{counted, whole};
 use crate::content::{encode, sha256};
@@ -43,7 +45,11 @@ pub async fn insert(
     .bind(now())
     .execute(&mut *connection)
     .await?;
-    let Some((_, map)) = map.filter(|_| inserted.rows_affected() > 0) else {
+    if inserted.rows_affected() == 0 {
+        return Ok(());
+    }
+    extracts::insert(connection, study, result).await?;
+    let Some((_, map)) = map else {
         return Ok(());
     };
     sqlx::query("insert into result_maps (study, document) values (?, ?)")
@@ -202,10 +208,11 @@ pub(crate) async fn check(
     connection: &mut SqliteConnection,
     study: &str,
 ) -> Result<(), StoreError> {
-    let found = find::<StudyResult>(connection, study, Extent::Whole).await?;
+    let found = find::<StudyResult>(&mut *connection, study, Extent::Whole).await?;
     match found {
         Some((result, stored)) if content_sha256(&result)? != stored => Err(damaged(study)),
-        _ => Ok(()),
+        Some((result, _)) => extracts::check(connection, study, &result).await,
+        None => Ok(()),
     }
 }
 
@@ -222,6 +229,21 @@ pub async fn find<R: DeserializeOwned>(
         .await?
         .map(ResultRow::read)
         .transpose()
+}
+
+/// The part of a study's result that a comparison reads, when there is a result.
+///
+/// # Errors
+/// [`StoreError::Damaged`] when it doesn't match its hash; when the database can't be read.
+pub async fn comparable(
+    connection: &mut SqliteConnection,
+    study: &str,
+) -> Result<Option<Comparable>, StoreError> {
+    if let Some(part) = extracts::find(connection, study).await? {
+        return Ok(Some(part));
+    }
+    let found = find::<StudyResult>(connection, study, Extent::WithoutMap).await?;
+    Ok(found.map(|(result, _)| Comparable::of(&result)))
 }
 
 pub(super) fn damaged(study: &str) -> StoreError {
@@ -252,4 +274,62 @@ pub async fn sha256_of(
             .fetch_optional(connection)
             .await?,
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::database::tests::fresh;
+    use crate::queue::study_rows;
+
+    #[tokio::test]
+    async fn an_extract_is_what_the_document_says_and_a_changed_one_is_refused() {
+        let (_folder, store) = fresh().await;
+        let mut tx = store.begin().await.expect("begins");
+        let id = study_rows::insert(&mut tx, "a", "{}")
+            .await
+            .expect("inserts");
+        let mut result = StudyResult::default();
+        result.model.level = "coarse".to_owned();
+        let stored = insert(&mut tx, &id, &result).await;
+        stored.expect("stores");
+        let expected = Comparable::of(&result);
+        assert_eq!(
+            comparable(&mut tx, &id).await.expect("reads"),
+            Some(expected.clone())
+        );
+        check(&mut tx, &id).await.expect("whole");
+
+        // A later version's is left alone, by reading and by checking.
+        for change in [
+            "update result_extracts set format = 2",
+            "delete from result_extracts",
+        ] {
+            let changed = sqlx::query(change).execute(&mut *tx).await;
+            assert_eq!(changed.expect("changes").rows_affected(), 1);
+            assert_eq!(
+                comparable(&mut tx, &id).await.expect("reads"),
+                Some(expected.clone())
+            );
+            check(&mut tx, &id).await.expect("whole");
+        }
+
+        // Its hash is right, and it isn't the result's.
+        result.model.level = "fine".to_owned();
+        extracts::insert(&mut tx, &id, &result)
+            .await
+            .expect("stores");
+        let checked = check(&mut tx, &id).await;
+        assert!(matches!(
+            checked,
+            Err(StoreError::Damaged {
+                table: "result_extracts",
+                ..
+            })
+        ));
+        let changed =
+            sqlx::query("update result_extracts set document = replace(document, 'fine', 'good')");
+        changed.execute(&mut *tx).await.expect("changes");
+        assert!(comparable(&mut tx, &id).await.is_err());
+    }
 }

@@ -8,7 +8,7 @@ use sqlx::{Connection, SqlSafeStr, SqliteConnection};
 use crate::store_error::StoreError;
 
 /// The files of `migrations`, in order, each by its number and name.
-static CHANGES: [(&str, &str); 7] = [
+static CHANGES: [(&str, &str); 8] = [
     (
         "0001_tables",
         include_str!("../../../../migrations/0001_tables.sql"),
@@ -36,6 +36,10 @@ static CHANGES: [(&str, &str); 7] = [
     (
         "0007_sweep_engines",
         include_str!("../../../../migrations/0007_sweep_engines.sql"),
+    ),
+    (
+        "0008_result_extracts",
+        include_str!("../../../../migrations/0008_result_extracts.sql"),
     ),
 ];
 

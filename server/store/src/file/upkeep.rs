@@ -17,6 +17,7 @@ use crate::points::crashes;
 use crate::points::evaluations;
 use crate::points::model_runs;
 use crate::points::study_points;
+use crate::queue::design_rows;
 use crate::queue::engine_rows;
 use crate::queue::estimator_rows;
 use crate::queue::study_rows;
@@ -144,7 +145,9 @@ async fn check_sweep(connection: &mut SqliteConnection, id: &str) -> Result<(), 
     if let Some(given) = engine_rows::find(connection, id).await? {
         given.report()?;
     }
-    sweep_rows::designs(connection, id).await.map(|_| ())
+    design_rows::designs(connection, id, design_rows::ALL)
+        .await
+        .map(|_| ())
 }
 
 async fn dangling(connection: &mut SqliteConnection) -> Result<Vec<String>, StoreError> {

@@ -50,6 +50,7 @@ const EVENTS: &str = "with coming as (
 const RESULTS: &str =
     "insert into main.results select * from other.results where study in (select id from ending)";
 const RESULT_MAPS: &str = "insert into main.result_maps select * from other.result_maps where study in (select id from ending)";
+const RESULT_EXTRACTS: &str = "insert into main.result_extracts select * from other.result_extracts where study in (select id from ending)";
 
 /// Sweeps all of whose designs are here by now.
 const SWEEPS: &str = "insert into main.sweeps select * from other.sweeps where id not in (select id from main.sweeps)
@@ -128,6 +129,7 @@ async fn studies(
     run(connection, EVENTS, Some(with_points)).await?;
     run(connection, RESULTS, None).await?;
     run(connection, RESULT_MAPS, None).await?;
+    run(connection, RESULT_EXTRACTS, None).await?;
     run(connection, "drop table temp.ending", None).await?;
     let all = "select count(*) from other.studies where state in ('done', 'failed')";
     Ok((counted(connection, all, new + ended).await?, ended))

@@ -17,7 +17,7 @@ use crate::seals;
 use crate::store_error::StoreError;
 
 /// State of a study.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, utoipa::ToSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize, utoipa::ToSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum State {
     /// Waits for its turn, from the start or for what it still lacks.

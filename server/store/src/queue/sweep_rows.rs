@@ -1,13 +1,10 @@
-//! Sweeps: which studies are the designs of one.
+//! Sweeps, of which each design is a study.
 
-use serde_json::{Map, Value};
 use sqlx::SqliteConnection;
 
 use crate::clock::now;
-use crate::column::whole;
-use crate::content::{document_sha256, encode, intact};
+use crate::content::{document_sha256, intact};
 use crate::queue::listed::{Listed, RowChange};
-use crate::queue::study_rows::StudyRow;
 use crate::row::from_row;
 use crate::seals;
 use crate::store_error::StoreError;
@@ -49,19 +46,6 @@ impl SweepRow {
     }
 }
 
-/// A design of a sweep.
-#[derive(Debug, Clone, PartialEq)]
-pub struct DesignRow {
-    /// Place in the sweep.
-    pub ordinal: i64,
-    /// Name that tells it from the others.
-    pub name: String,
-    /// Values by path.
-    pub set: Map<String, Value>,
-    /// The study that answers for it.
-    pub study: StudyRow,
-}
-
 /// Stores a new sweep without designs and returns its identifier.
 ///
 /// # Errors
@@ -83,52 +67,6 @@ pub async fn insert(
         .execute(connection)
         .await?;
     Ok(id)
-}
-
-/// Adds a design behind the others.
-///
-/// # Errors
-/// [`StoreError::NotFinite`] when a value isn't finite; when the database can't be written.
-pub async fn add_design(
-    connection: &mut SqliteConnection,
-    sweep: &str,
-    name: &str,
-    set: &Map<String, Value>,
-    study: &str,
-) -> Result<(), StoreError> {
-    sqlx::query("update sweeps set seal = null, designs = designs + 1 where id = ?")
-        .bind(sweep)
-        .execute(&mut *connection)
-        .await?;
-    let query = "insert into sweep_designs (sweep, ordinal, name, settings, study)
-                 values (?1, (select coalesce(max(ordinal) + 1, 0) from sweep_designs where sweep = ?1), ?2, ?3, ?4)";
-    sqlx::query(query)
-        .bind(sweep)
-        .bind(name)
-        .bind(encode("the settings of a design", set)?)
-        .bind(study)
-        .execute(connection)
-        .await?;
-    Ok(())
-}
-
-/// Lets another study answer for a design.
-///
-/// # Errors
-/// When the database can't be written.
-pub async fn replace_study(
-    connection: &mut SqliteConnection,
-    sweep: &str,
-    ordinal: i64,
-    study: &str,
-) -> Result<(), StoreError> {
-    sqlx::query("update sweep_designs set study = ?, seal = null where sweep = ? and ordinal = ?")
-        .bind(study)
-        .bind(sweep)
-        .bind(ordinal)
-        .execute(connection)
-        .await?;
-    Ok(())
 }
 
 /// The sweep of this identifier.
@@ -190,99 +128,6 @@ pub async fn change(
         .execute(connection)
         .await?;
     Ok(())
-}
-
-struct Joined {
-    ordinal: i64,
-    design: String,
-    settings: String,
-    study: StudyRow,
-}
-
-from_row!(Joined { ordinal, design, settings; study });
-
-/// The designs of a sweep with their studies, in order.
-///
-/// # Errors
-/// [`StoreError::Damaged`] when one was changed, exchanged or lost; when the database can't be read.
-pub async fn designs(
-    connection: &mut SqliteConnection,
-    sweep: &str,
-) -> Result<Vec<DesignRow>, StoreError> {
-    let query = "select d.ordinal, d.name as design, d.settings, s.* from sweep_designs d join listed_studies s on s.id = d.study
-                 where d.sweep = ? order by d.ordinal";
-    seals::intact(connection, "sweep_designs", "sweep = ?", sweep).await?;
-    let rows: Vec<Joined> = sqlx::query_as(query)
-        .bind(sweep)
-        .fetch_all(&mut *connection)
-        .await?;
-    let counted: Option<i64> = sqlx::query_scalar("select designs from sweeps where id = ?")
-        .bind(sweep)
-        .fetch_optional(&mut *connection)
-        .await?;
-    if counted.is_some_and(|counted| counted != whole(rows.len())) {
-        return Err(StoreError::Damaged {
-            table: "sweep_designs",
-            row: sweep.to_owned(),
-        });
-    }
-    let studies = "id in (select study from sweep_designs where sweep = ?)";
-    seals::intact(connection, "studies", studies, sweep).await?;
-    let design = |row: Joined| DesignRow {
-        ordinal: row.ordinal,
-        name: row.design,
-        set: serde_json::from_str(&row.settings).unwrap_or_default(),
-        study: row.study,
-    };
-    Ok(rows.into_iter().map(design).collect())
-}
-
-/// Answer to whether anybody waits for a sweep.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Openness {
-    /// A design waits or is being solved.
-    Open,
-    /// All of its designs have ended.
-    Ended,
-    /// No such sweep is there.
-    Gone,
-}
-
-/// Whether anybody waits for a sweep.
-///
-/// # Errors
-/// When the database can't be read.
-pub async fn openness(
-    connection: &mut SqliteConnection,
-    sweep: &str,
-) -> Result<Openness, StoreError> {
-    let query = "select exists (select 1 from sweeps where id = ?1),
-                 exists (select 1 from sweep_designs join studies on studies.id = study where sweep = ?1 and state in ('queued', 'running'))";
-    let (is_there, is_open): (bool, bool) = sqlx::query_as(query)
-        .bind(sweep)
-        .fetch_one(connection)
-        .await?;
-    Ok(match (is_there, is_open) {
-        (_, true) => Openness::Open,
-        (true, false) => Openness::Ended,
-        (false, false) => Openness::Gone,
-    })
-}
-
-/// The sweep that a study is a design of.
-///
-/// # Errors
-/// When the database can't be read.
-pub async fn of_study(
-    connection: &mut SqliteConnection,
-    study: &str,
-) -> Result<Option<String>, StoreError> {
-    Ok(
-        sqlx::query_scalar("select sweep from sweep_designs where study = ?")
-            .bind(study)
-            .fetch_optional(connection)
-            .await?,
-    )
 }
 
 /// The sweep submitted under this key, and the hash of what was submitted.

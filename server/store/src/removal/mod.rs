@@ -19,8 +19,9 @@ use crate::store_error::StoreError;
 pub const BATCH: usize = 64;
 
 /// Rows that belong to one study, those that refer to others first.
-const OF_STUDY: [&str; 6] = [
+const OF_STUDY: [&str; 7] = [
     "delete from result_maps where study = ?",
+    "delete from result_extracts where study = ?",
     "delete from results where study = ?",
     "delete from study_points where study = ?",
     "delete from events where study = ?",

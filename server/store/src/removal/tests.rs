@@ -12,6 +12,7 @@ use super::*;
 use crate::database::tests::fresh;
 use crate::file::upkeep;
 use crate::points::evaluations;
+use crate::queue::design_rows;
 use crate::queue::study_rows;
 use crate::queue::sweep_rows;
 
@@ -127,7 +128,7 @@ async fn a_design_of_a_sweep_goes_with_the_sweep_alone() {
         let sweep = sweep_rows::insert(&mut tx, "sweep", "{}", 0).await;
         let sweep = sweep.expect("inserts");
         for design in designs {
-            let added = sweep_rows::add_design(&mut tx, &sweep, "d", &Map::new(), design).await;
+            let added = design_rows::add_design(&mut tx, &sweep, "d", &Map::new(), design).await;
             added.expect("adds");
         }
         sweeps.push(sweep);

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use service::engine::Engine;
 use store::merging::target::Merging;
-use store::queue::sweep_rows::{self, Openness};
+use store::queue::design_rows::{self, Openness};
 use tokio::runtime::Handle;
 
 use super::away_report::Reports;
@@ -40,7 +40,7 @@ impl SweepHead<'_> {
         }
         let openness = self.runtime.block_on(async {
             let mut connection = self.engine.store.read().await?;
-            sweep_rows::openness(&mut connection, self.sweep).await
+            design_rows::openness(&mut connection, self.sweep).await
         });
         let wish = match openness {
             Ok(Openness::Open) => Wish::GoOn,

@@ -68,6 +68,7 @@ async fn a_removed_study_takes_only_what_is_its_own() {
         "events",
         "location_scores",
         "result_maps",
+        "result_extracts",
     ] {
         assert_eq!(rows(&mut sql, table).await, 0, "{table}");
     }

@@ -266,17 +266,53 @@ async fn an_estimate_counts_what_designs_share_once() {
 }
 
 #[tokio::test(flavor = "multi_thread")]
-async fn a_sweep_is_never_extended_beyond_what_one_may_have() {
+async fn a_part_of_the_designs_and_the_best_of_them_are_told_where_that_is_asked() {
     let home = Home::new();
-    let app = home.start(slow()).await;
-    let walls: Vec<f64> = (0..1000).map(|wall| 2.0 + 1e-3 * f64::from(wall)).collect();
-    let sweep = submit(&app, json!({"grid": {"geometry.wall_mm": walls}})).await;
-    let further = json!({"grid": {"geometry.wall_mm": [1.5]}});
-    let refused = post(&app, &address(&sweep, "/designs"), &further).await;
-    let body = problem(refused, StatusCode::UNPROCESSABLE_ENTITY).await;
-    let detail = body["detail"].as_str().expect("text");
-    assert!(detail.contains("has 1000 designs"), "{detail}");
-    // What it has already is no more.
-    let again = json!({"grid": {"geometry.wall_mm": [2.0]}});
-    accepted(post(&app, &address(&sweep, "/designs"), &again).await).await;
+    let app = home.start(ClosedFormSolver::new()).await;
+    let grid = json!({"geometry.wall_mm": [2.5, 3, 3.5]});
+    let sweep = submit(&app, json!({"grid": grid})).await;
+    let done = wait_for(&app, &sweep, "done").await;
+    assert!(done["worked_s"].as_f64().expect("a number") > 0.0);
+    for (part, ordinals) in [
+        ("?from=1", &[1, 2][..]),
+        ("?limit=2", &[0, 1]),
+        ("?from=1&limit=1", &[1]),
+        ("?from=3", &[]),
+    ] {
+        let told = app.json(&address(&sweep, part)).await;
+        let designs = told["designs"].as_array().expect("a list");
+        let places = designs
+            .iter()
+            .filter_map(|design| design["ordinal"].as_i64());
+        assert_eq!(places.collect::<Vec<i64>>(), ordinals, "{part}");
+        assert_eq!(told["counts"], done["counts"]);
+    }
+    let comparison = format!(
+        "/v1/comparison?sweep={}",
+        sweep["id"].as_str().expect("an id")
+    );
+    let all = app.json(&comparison).await;
+    // Without layouts none is better: the first are told, of which one is the baseline.
+    let told = app.json(&format!("{comparison}&best=2")).await;
+    let of = |list: &Value, places: std::ops::Range<usize>| {
+        list.as_array().map(|all| all[places].to_vec())
+    };
+    assert_eq!(of(&told["studies"], 0..2), of(&all["studies"], 0..2));
+    assert_eq!(of(&told["rows"], 0..10), of(&all["rows"], 0..10));
+    let counts = ["studies", "rows"].map(|list| told[list].as_array().map(Vec::len));
+    assert_eq!(counts, [Some(2), Some(10)]);
+    let note = told["notes"]
+        .as_array()
+        .and_then(|notes| notes.last()?.as_str());
+    assert!(note.is_some_and(|note| note.starts_with("the best 2 of 3 studies are told")));
+    for wrong in [
+        address(&sweep, "?limit=0"),
+        address(&sweep, "?limit=1001"),
+        address(&sweep, "?from=-1"),
+        address(&sweep, "?from=10001"),
+        format!("{comparison}&best=0"),
+        format!("{comparison}&best=all"),
+    ] {
+        problem(app.get(&wrong).await, StatusCode::BAD_REQUEST).await;
+    }
 }

@@ -1,7 +1,7 @@
 /** How far a sweep is, and what its designs set. Pure: time comes in as a number. */
 
 import type { AwaySweep, DesignView, State, SweepDetail, SweepSummary } from "../../wire.ts";
-import { isOver, milliseconds, share } from "../study/point-progress.ts";
+import { isOver, share } from "../study/point-progress.ts";
 
 /** In the order in which designs go through them. */
 const STATES: readonly State[] = ["queued", "running", "done", "failed", "cancelled"];
@@ -39,40 +39,23 @@ export function designsToResume(sweep: SweepSummary): number {
   return sweep.counts.failed + sweep.counts.cancelled;
 }
 
-/** How many designs' worth of work is done: one for each that has ended, a share for the one at work. */
-function workDone(designs: readonly DesignView[]): number {
-  return designs.reduce((sum, { study }) => {
-    if (isOver(study.state)) return sum + 1;
-    return sum + share({ total: study.points_total ?? null, done: study.points_done });
-  }, 0);
+/** How many designs' worth of work is done: one for each that has ended, a share for each that is at work and in view. */
+function workDone(sweep: SweepDetail): number {
+  const atWork = sweep.designs.filter(({ study }) => !isOver(study.state));
+  return atWork.reduce((sum, { study }) => sum + share({ total: study.points_total ?? null, done: study.points_done }), designsOver(sweep));
 }
 
 /** Share of the designs that is done, 0 to 1. Points can't say so: the plan of a design is known when it starts. */
 export function sweepShare(sweep: SweepDetail): number {
-  return sweep.designs.length === 0 ? 0 : workDone(sweep.designs) / sweep.designs.length;
-}
-
-/** Seconds in which any of the designs was at work; what lay between a cancellation and a resumption isn't. */
-export function workedSeconds(sweep: SweepDetail, now_ms: number): number {
-  const spans = sweep.designs.flatMap(({ study }) => {
-    const start = milliseconds(study.started);
-    if (start === null || study.state === "queued") return [];
-    return [{ start, end: milliseconds(study.finished) ?? now_ms }];
-  });
-  spans.sort((a, b) => a.start - b.start);
-  let [worked, until] = [0, Number.NEGATIVE_INFINITY];
-  for (const { start, end } of spans) {
-    worked += Math.max(0, end - Math.max(start, until));
-    until = Math.max(until, end);
-  }
-  return worked / 1000;
+  const all = designsOf(sweep);
+  return all === 0 ? 0 : workDone(sweep) / all;
 }
 
 /** Seconds left at the pace so far; null before anything of a design is done, and when nothing is at work. */
-export function sweepSecondsLeft(sweep: SweepDetail, now_ms: number): number | null {
-  const done = workDone(sweep.designs);
+export function sweepSecondsLeft(sweep: SweepDetail): number | null {
+  const done = workDone(sweep);
   if (isOver(sweep.state) || done <= 0) return null;
-  return (workedSeconds(sweep, now_ms) / done) * (sweep.designs.length - done);
+  return (sweep.worked_s / done) * (designsOf(sweep) - done);
 }
 
 /** A path that designs set, and its values in the order of the designs. */

@@ -47,12 +47,7 @@ export function ComparePage({ state, route, actions }: Props) {
       </Loaded>
       <ComparedTires key={route.studies.join()} route={route} baseline={baseline} onAdjust={actions.adjust} />
       {open.comparison.status === "ready" && (
-        <ComparisonPanel
-          comparison={open.comparison.value}
-          designs={open.comparison.value.studies.map(() => NOTHING_SET)}
-          shown={route.shown}
-          onShown={(shown) => actions.adjust({ ...route, shown })}
-        />
+        <ComparisonPanel comparison={open.comparison.value} shown={route.shown} onShown={(shown) => actions.adjust({ ...route, shown })} />
       )}
     </article>
   );
@@ -89,9 +84,6 @@ function BaselineChoice({
 function namesOf({ details }: OpenComparison): string[] {
   return details.status === "ready" ? details.value.map(({ name }) => name) : [];
 }
-
-/** Studies by themselves go by their numbers: none is a design of another. */
-const NOTHING_SET = { set: {} };
 
 function Documents({ details }: { details: StudyDetail[] }) {
   const fields = useMemo(() => comparedFields(details.map(({ document }) => document)), [details]);

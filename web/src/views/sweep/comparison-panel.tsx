@@ -16,8 +16,6 @@ const SHOWN: readonly Option<Shown>[] = [
 
 interface Props {
   comparison: Comparison;
-  /** What each design sets, in the order of the comparison. */
-  designs: readonly { set: Record<string, unknown> }[];
   shown: Shown;
   /** Absent where the baseline is chosen elsewhere on the page. */
   onBaseline?: (study: string) => void;
@@ -25,10 +23,10 @@ interface Props {
 }
 
 /** What differs between the designs, and which differences are real. */
-export function ComparisonPanel({ comparison, designs, shown, onBaseline, onShown }: Props) {
+export function ComparisonPanel({ comparison, shown, onBaseline, onShown }: Props) {
   // The page's clock ticks every second, thousands of marks and cells needn't.
   const matrix = useMemo(() => matrixOf(comparison), [comparison]);
-  const axis = useMemo(() => designAxis(designs), [designs]);
+  const axis = useMemo(() => designAxis(comparison.studies.map(({ set }) => ({ set: set ?? {} }))), [comparison]);
   const charts = useMemo(
     () => DIRECTIONS.map((direction) => <ComparisonChart key={direction} matrix={matrix} axis={axis} direction={direction} shown={shown} />),
     [matrix, axis, shown],

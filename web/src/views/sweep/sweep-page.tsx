@@ -1,7 +1,8 @@
 import { useMemo } from "preact/hooks";
-import { comparisonAddress, comparisonExport, sweepAddress } from "../../api.ts";
+import { comparisonAddress, comparisonExport, DESIGNS_OF_A_PAGE, sweepAddress } from "../../api.ts";
+import { integer } from "../../lib/format.ts";
 import { compareRoute, formatRoute, type SweepRoute } from "../../lib/route.ts";
-import { variedPaths } from "../../lib/sweep/design-progress.ts";
+import { designsOf, variedPaths } from "../../lib/sweep/design-progress.ts";
 import { designGrid } from "../../lib/sweep/figure-grid.ts";
 import type { Actions } from "../../state/actions.ts";
 import type { AppState } from "../../state/app-state.ts";
@@ -41,20 +42,19 @@ export function SweepPage({ state, route, actions }: Props) {
             <a href={comparisonExport({ sweep: sweep.id }, route.baseline, "format=parquet")}>Parquet</a>, its designs as{" "}
             <a href={comparisonExport({ sweep: sweep.id }, route.baseline, "format=csv&table=designs")}>CSV</a>
           </p>
-          <SweepProgress open={open} sweep={sweep} now_ms={state.now_ms} actions={actions} />
+          <SweepProgress open={open} sweep={sweep} actions={actions} />
           {open.comparison !== null && (
             <Loaded of={open.comparison} what="the comparison" onRetry={actions.openSweep.reopen}>
               {(comparison) => <AnswersPanel comparison={comparison} csv={comparisonExport({ sweep: sweep.id }, route.baseline, "format=csv&table=designs")} />}
             </Loaded>
           )}
           <Grid sweep={sweep} comparison={readyOf(open.comparison)} route={route} actions={actions} />
-          <Designs sweep={sweep} comparison={readyOf(open.comparison)} ticked={state.browsing.ticked} onTick={actions.browsing.tick} />
+          <Designs sweep={sweep} route={route} comparison={readyOf(open.comparison)} ticked={state.browsing.ticked} onTick={actions.browsing.tick} />
           {open.comparison !== null && (
             <Loaded of={open.comparison} what="the comparison" onRetry={actions.openSweep.reopen}>
               {(comparison) => (
                 <ComparisonPanel
                   comparison={comparison}
-                  designs={sweep.designs}
                   shown={route.shown}
                   onBaseline={(baseline) => actions.adjust({ ...route, baseline })}
                   onShown={(shown) => actions.adjust({ ...route, shown })}
@@ -81,10 +81,11 @@ function Grid({ sweep, comparison, route, actions }: { sweep: SweepDetail; compa
 
 interface DesignsProps extends Ticking {
   sweep: SweepDetail;
+  route: SweepRoute;
   comparison: Comparison | null;
 }
 
-function Designs({ sweep, comparison, ticked, onTick }: DesignsProps) {
+function Designs({ sweep, route, comparison, ticked, onTick }: DesignsProps) {
   // The page's clock ticks every second, the table needn't.
   const table = useMemo(
     () => <DesignTable designs={sweep.designs} comparison={comparison} ticked={ticked} onTick={onTick} />,
@@ -94,6 +95,7 @@ function Designs({ sweep, comparison, ticked, onTick }: DesignsProps) {
     <section class="panel" aria-labelledby="designs-title">
       <h2 id="designs-title">Designs</h2>
       <VariedPaths designs={sweep.designs} />
+      <Pages sweep={sweep} route={route} />
       {table}
       {ticked.length > 0 && (
         <p class="compare-ticked">
@@ -109,6 +111,21 @@ function Designs({ sweep, comparison, ticked, onTick }: DesignsProps) {
         meridional. Best: the first of the ranking, and whether its errors leave no doubt about that. Each design links to its study.
       </p>
     </section>
+  );
+}
+
+/** Which of many designs are shown, with links to those before and behind them; nothing where all are. */
+function Pages({ sweep, route }: { sweep: SweepDetail; route: SweepRoute }) {
+  const [all, shown] = [designsOf(sweep), sweep.designs.length];
+  if (shown === all) return null;
+  const at = (from: number, name: string) => <a href={formatRoute({ ...route, from })}>{name}</a>;
+  const end = route.from + shown;
+  return (
+    <nav aria-label="Pages of designs">
+      Designs {integer(route.from + 1)} to {integer(end)} of {integer(all)}
+      {route.from > 0 && <> · {at(Math.max(0, route.from - DESIGNS_OF_A_PAGE), "before")}</>}
+      {end < all && <> · {at(end, "next")}</>}. What is compared are the best {integer(DESIGNS_OF_A_PAGE)}; the files have them all.
+    </nav>
   );
 }
 

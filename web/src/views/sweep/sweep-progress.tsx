@@ -1,15 +1,6 @@
 import { duration, integer } from "../../lib/format.ts";
 import { isOver } from "../../lib/study/point-progress.ts";
-import {
-  countsText,
-  designsOf,
-  designsOver,
-  designsToResume,
-  sweepSecondsLeft,
-  sweepShare,
-  tasksText,
-  workedSeconds,
-} from "../../lib/sweep/design-progress.ts";
+import { countsText, designsOf, designsOver, designsToResume, sweepSecondsLeft, sweepShare, tasksText } from "../../lib/sweep/design-progress.ts";
 import type { Actions } from "../../state/actions.ts";
 import type { Away, OpenSweep } from "../../state/app-state.ts";
 import type { SweepDetail } from "../../wire.ts";
@@ -19,19 +10,18 @@ import { ProblemBox } from "../shared/problem-box.tsx";
 interface Props {
   open: OpenSweep;
   sweep: SweepDetail;
-  now_ms: number;
   actions: Actions;
 }
 
 /** How far a sweep is as a whole, with what can be done about it. */
-export function SweepProgress({ open, sweep, now_ms, actions }: Props) {
+export function SweepProgress({ open, sweep, actions }: Props) {
   return (
     <section class="panel" aria-label="Progress">
       <p role="status">{outcome(sweep, open.away)}</p>
       <progress class="wide" max={1} value={sweepShare(sweep)} aria-label="Designs done">
         {designsOver(sweep)} of {designsOf(sweep)}
       </progress>
-      <Standing sweep={sweep} now_ms={now_ms} />
+      <Standing sweep={sweep} />
       {open.away !== null && <Elsewhere away={open.away} />}
       {open.problem !== null && <ProblemBox problem={open.problem} />}
       {isOver(sweep.state) ? <Resume sweep={sweep} actions={actions} /> : <Cancel open={open} actions={actions} />}
@@ -55,13 +45,13 @@ function outcome(sweep: SweepDetail, away: Away | null): string {
   }
 }
 
-function Standing({ sweep, now_ms }: { sweep: SweepDetail; now_ms: number }) {
+function Standing({ sweep }: { sweep: SweepDetail }) {
   const facts: [string, string][] = [
     ["Designs", countsText(sweep)],
     ["Points", `${integer(sweep.points_done)} of ${sweep.points_total == null ? "?" : integer(sweep.points_total)}`],
-    ["At work", duration(workedSeconds(sweep, now_ms))],
+    ["At work", duration(sweep.worked_s)],
   ];
-  if (!isOver(sweep.state)) facts.push(["Time left", duration(sweepSecondsLeft(sweep, now_ms))]);
+  if (!isOver(sweep.state)) facts.push(["Time left", duration(sweepSecondsLeft(sweep))]);
   return <Facts facts={facts} />;
 }
 

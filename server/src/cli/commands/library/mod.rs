@@ -23,6 +23,7 @@ use service::wire::study_wire::StudySummary;
 use service::wire::sweep_wire::SweepSummary;
 use store::answers::result_rows::{self, Extent};
 use store::file::opening;
+use store::queue::design_rows;
 use store::queue::listed::{Archived, Listed};
 use store::queue::short_names::{Listing, meant};
 use store::queue::study_rows::{self, Filter, State, StudyRow};
@@ -171,8 +172,8 @@ impl List {
             let page = sweep_rows::page(connection, self.listed(), None, self.limit).await;
             let mut summaries = Vec::new();
             for row in page.map_err(Failure::other)? {
-                let designs = sweep_rows::designs(connection, &row.id).await;
-                summaries.push(SweepSummary::of(&row, &designs.map_err(Failure::other)?));
+                let standing = design_rows::standing(connection, &row.id).await;
+                summaries.push(SweepSummary::of(&row, &standing.map_err(Failure::other)?));
             }
             Ok(summaries)
         })?;

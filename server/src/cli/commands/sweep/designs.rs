@@ -18,7 +18,7 @@ use crate::cli::terminal::progress::say_failed;
 use service::engine::{End, Engine};
 use service::forecast::memory_bytes;
 use store::StoreError;
-use store::queue::sweep_rows::DesignRow;
+use store::queue::design_rows::DesignRow;
 use store::queue::turns;
 use tasks::grouping::{grouped, keys, workloads};
 

@@ -9,7 +9,7 @@ use std::sync::atomic::AtomicBool;
 
 use clap::Args;
 use documents::sweep::Sweep as Plan;
-use placement::compare::{Comparison, compare};
+use placement::compare::{Comparison, MOST_TOLD, compare};
 use serde_json::json;
 use tokio::runtime::Runtime;
 
@@ -29,7 +29,7 @@ use crate::config::Config;
 use service::comparison::of_designs;
 use service::engine::Engine;
 use service::forecast::forecast_sweep;
-use service::queue::sweeps::designs_of;
+use service::queue::sweeps::{designs_of, standing_of};
 use service::wire::sweep_wire::{DesignEstimate, SweepDetail};
 use store::queue::sweep_rows::SweepRow;
 
@@ -94,7 +94,8 @@ impl Sweep {
             target.write(&json!({"sweep": detail, "comparison": comparison}))?;
         }
         let next = after_sweep(&detail.summary.id, &self.config.db);
-        tell(&(table(&comparison) + &next), self.json.as_ref())?;
+        let told = table(&comparison.best(MOST_TOLD));
+        tell(&(told + &next), self.json.as_ref())?;
         let without = detail.designs.len() - detail.summary.counts.done;
         if without > 0 {
             return Err(Failure::Partial(format!(
@@ -165,7 +166,9 @@ impl Sweep {
             of_designs(&mut connection, &ended).await
         });
         let comparison = compare(&entries.map_err(Failure::other)?, None);
-        let detail = SweepDetail::of(sweep, &ended).map_err(Failure::other)?;
+        let standing = runtime.block_on(standing_of(&engine.store, &sweep.id));
+        let standing = standing.map_err(Failure::other)?;
+        let detail = SweepDetail::of(sweep, &standing, &ended).map_err(Failure::other)?;
         Ok((detail, comparison))
     }
 }

@@ -18,8 +18,8 @@ use crate::cli::terminal::signals::stop_flag;
 use crate::config::Work;
 use service::queue::recover;
 use store::file::copies;
+use store::queue::design_rows::DesignRow;
 use store::queue::study_rows;
-use store::queue::sweep_rows::DesignRow;
 use store::{Store, StoreError};
 use tasks::task_folder::{Refusal, Task, TaskFolder, Tasks};
 

@@ -1,1 +1,0 @@
-export{Vt as readToml}from"../views-CjeSYeiX.js";

@@ -1,0 +1,1 @@
+export{Vt as readToml}from"../views-D3mogsTG.js";
