@@ -10,8 +10,9 @@ const WRAPPED: usize = 75;
 /// Numbers and texts of a list that are shown, and entries of other kinds; faults are shown all.
 const SHOWN: [usize; 2] = [6, 1];
 /// Fields that hold what was measured, or what rounding decides.
-const MEASURED: [&str; 10] = [
+const MEASURED: [&str; 11] = [
     "wall_s",
+    "worked_s",
     "cpu_s",
     "_bytes",
     "expected_s",
