@@ -36,6 +36,11 @@ impl Fault {
             std::cmp::Ordering::Greater => {}
         }
     }
+
+    /// Whether the list is full: what else is wrong isn't told.
+    pub fn are_enough(faults: &[Self]) -> bool {
+        faults.len() > MAX_FAULTS
+    }
 }
 
 impl std::fmt::Display for Fault {

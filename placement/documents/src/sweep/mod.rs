@@ -221,6 +221,10 @@ fn read_designs(base: &Study, fields: &Fields<'_>, faults: &mut Vec<Fault>) -> O
     let mut seen: HashMap<String, String> = HashMap::new();
     let (mut designs, mut solves) = (Vec::new(), 0_usize);
     for (draft, name) in drafts.into_iter().zip(names) {
+        // Thousands may have one fault in common.
+        if Fault::are_enough(faults) {
+            return None;
+        }
         // Its plan is let go: those of all designs together would be large.
         let Some(PlannedStudy { study, .. }) = study_of(base, &draft, &name, faults) else {
             continue;

@@ -1,12 +1,14 @@
 //! Results. The map, which is most of one, is kept apart, so that all else is read without it.
 
+use std::borrow::Cow;
+
 use placement::compare::Comparable;
-use results::{StudyCost, StudyResult};
+use results::StudyResult;
 use serde::de::DeserializeOwned;
 use sqlx::sqlite::SqliteRow;
 use sqlx::{Row, SqliteConnection};
 
-use crate::answers::extracts;
+use crate::answers::{content_hash, extracts};
 use crate::clock::now;
 use crate::column::{counted, whole};
 use crate::content::{encode, sha256};
@@ -27,6 +29,7 @@ pub async fn insert(
     result: &StudyResult,
 ) -> Result<(), StoreError> {
     let mut document = encode(RESULT, result)?;
+    let content = content_hash::of(result)?;
     let map = take_map(&mut document, result);
     let taken = map.as_ref().map(|(place, map)| Taken {
         place: *place,
@@ -41,7 +44,7 @@ pub async fn insert(
     .bind(taken.as_ref().map(|taken| whole(taken.place)))
     .bind(taken.as_ref().map(|taken| &taken.sha256))
     .bind(document_sha256(study, &document, taken.as_ref()))
-    .bind(content_sha256(result)?)
+    .bind(content)
     .bind(now())
     .execute(&mut *connection)
     .await?;
@@ -104,21 +107,6 @@ fn document_sha256(study: &str, document: &str, taken: Option<&Taken>) -> String
     }
 }
 
-/// SHA-256 of what a result says: without what it cost, what it was expected to cost, what a surer answer costs, and without the identifier of its study, so that equal
-/// documents give equal hashes in any database, on any number of threads, with any history of interruptions.
-fn content_sha256(result: &StudyResult) -> Result<String, StoreError> {
-    let mut content = result.clone();
-    content.cost = StudyCost::default();
-    content.estimate = None;
-    if let Some(answer) = &mut content.answer {
-        answer.surer = None;
-    }
-    content.study.id.clear();
-    let text =
-        serde_json::to_string(&content).map_err(|_| StoreError::NotFinite { what: RESULT })?;
-    Ok(sha256(&[text.as_bytes()]))
-}
-
 /// Extent of what is read of a result.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Extent {
@@ -171,21 +159,38 @@ impl ResultRow {
     /// # Errors
     /// [`StoreError::Damaged`] when the row, or its map, doesn't match its hash.
     pub fn read<R: DeserializeOwned>(self) -> Result<(R, String), StoreError> {
+        let result = serde_json::from_str(&self.text()?);
+        let result = result.map_err(|_| damaged(&self.study))?;
+        Ok((result, self.content_sha256()?))
+    }
+
+    /// The result, whose content has the hash that is stored.
+    fn checked(&self) -> Result<StudyResult, StoreError> {
+        let (text, stored) = (self.text()?, self.content_sha256()?);
+        let result = serde_json::from_str(&text).map_err(|_| damaged(&self.study))?;
+        let is_it = content_hash::of_text(&text, &result)?.as_ref() == Some(&stored);
+        if is_it || content_hash::of(&result)? == stored {
+            return Ok(result);
+        }
+        Err(damaged(&self.study))
+    }
+
+    fn content_sha256(&self) -> Result<String, StoreError> {
+        Ok(self.row.try_get(4)?)
+    }
+
+    /// The text of the result, or of its part without the map, which match their hashes.
+    fn text(&self) -> Result<Cow<'_, str>, StoreError> {
         let document = self.row.try_get::<&str, _>(0)?;
         let taken = Taken::of(self.row.try_get(1)?, self.row.try_get(2)?);
-        let [stored, content] = [self.row.try_get::<&str, _>(3)?, self.row.try_get(4)?];
+        let stored = self.row.try_get::<&str, _>(3)?;
         if document_sha256(&self.study, document, taken.as_ref()) != stored {
             return Err(damaged(&self.study));
         }
-        let whole = match taken.filter(|_| self.extent == Extent::Whole) {
-            Some(taken) => Some(self.with_map(document, &taken)?),
-            None => None,
-        };
-        let result = serde_json::from_str(whole.as_deref().unwrap_or(document));
-        Ok((
-            result.map_err(|_| damaged(&self.study))?,
-            String::from(content),
-        ))
+        Ok(match taken.filter(|_| self.extent == Extent::Whole) {
+            Some(taken) => Cow::Owned(self.with_map(document, &taken)?),
+            None => Cow::Borrowed(document),
+        })
     }
 
     fn with_map(&self, document: &str, taken: &Taken) -> Result<String, StoreError> {
@@ -208,12 +213,11 @@ pub(crate) async fn check(
     connection: &mut SqliteConnection,
     study: &str,
 ) -> Result<(), StoreError> {
-    let found = find::<StudyResult>(&mut *connection, study, Extent::Whole).await?;
-    match found {
-        Some((result, stored)) if content_sha256(&result)? != stored => Err(damaged(study)),
-        Some((result, _)) => extracts::check(connection, study, &result).await,
-        None => Ok(()),
-    }
+    let Some(row) = row(&mut *connection, study, Extent::Whole).await? else {
+        return Ok(());
+    };
+    let result = row.checked()?;
+    extracts::check(connection, study, &result).await
 }
 
 /// The result of a study or the part `R` of it, and the hash of its content.
