@@ -148,7 +148,7 @@ pub struct ComparedIndex {
     pub verdict: Option<Verdict>,
 }
 
-/// Most studies that an answer tells or a table prints: more are nothing that anybody reads, and have 12 kB each.
+/// Most studies or designs that an answer tells or a table prints: more are nothing that anybody reads.
 pub const MOST_TOLD: usize = 1000;
 
 impl Comparison {

@@ -11,6 +11,7 @@ use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use documents::sweep::{Design, MOST_DESIGNS, designs_of};
 use futures_util::{StreamExt, TryStreamExt, stream};
+use placement::compare::MOST_TOLD;
 use serde::Deserialize;
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
@@ -95,9 +96,6 @@ struct SweepQuery {
     priority: Option<String>,
     engine: Option<String>,
 }
-
-/// Most designs that are told of a sweep at once.
-const MOST_TOLD: usize = 1000;
 
 /// Query of a sweep that is looked at.
 #[derive(Deserialize)]

@@ -172,11 +172,6 @@ impl Standing {
     pub fn count(&self, state: State) -> usize {
         self.by_state.get(&state).copied().unwrap_or(0)
     }
-
-    /// Designs of all states.
-    pub fn designs(&self) -> usize {
-        self.by_state.values().sum()
-    }
 }
 
 /// Seconds in which any design was at work: of each what lies behind the end of all that began before it.
@@ -269,4 +264,59 @@ pub async fn of_study(
             .fetch_optional(connection)
             .await?,
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::database::tests::fresh;
+    use crate::queue::{study_rows, sweep_rows};
+
+    /// A sweep of four designs: two done with an overlap, one that runs again since a pause, one that waits and was begun before.
+    async fn begun(connection: &mut SqliteConnection) -> String {
+        let sweep = sweep_rows::insert(connection, "walls", "{}", 0).await;
+        let sweep = sweep.expect("inserts");
+        for (state, total, started, finished) in [
+            ("done", Some(26), Some("00:00:00"), Some("00:00:08")),
+            ("done", Some(26), Some("00:00:06"), Some("00:00:12")),
+            ("running", Some(26), Some("00:01:40"), Some("00:01:44")),
+            ("queued", None, Some("00:00:20"), None),
+        ] {
+            let study = study_rows::insert(connection, "a", "{}").await;
+            let study = study.expect("inserts");
+            let added = add_design(connection, &sweep, "a", &Map::new(), &study).await;
+            added.expect("adds");
+            let time = |time: Option<&str>| time.map(|time| format!("2026-01-01T{time}.000Z"));
+            let query = "update studies set state = ?, points_total = ?, points_done = 1, started = ?, finished = ? where id = ?";
+            let changed = sqlx::query(query)
+                .bind(state)
+                .bind(total)
+                .bind(time(started))
+                .bind(time(finished))
+                .bind(&study);
+            changed.execute(&mut *connection).await.expect("changes");
+        }
+        sweep
+    }
+
+    #[tokio::test]
+    async fn a_sweep_was_at_work_where_any_of_its_designs_was() {
+        let (_folder, store) = fresh().await;
+        let mut tx = store.begin().await.expect("begins");
+        let sweep = begun(&mut tx).await;
+        let found = standing(&mut tx, &sweep).await.expect("reads");
+        // 0 to 12 with an overlap, a pause, and 4 s since 100; what waits isn't at work.
+        assert_eq!(found.worked_s, 16.0);
+        assert_eq!(State::ALL.map(|state| found.count(state)), [1, 1, 2, 0, 0]);
+        let points = (found.points_total, found.points_done);
+        assert_eq!((points, found.finished), ((None, 4), None));
+
+        let ended = "update studies set state = 'done', points_total = 26";
+        sqlx::query(ended).execute(&mut *tx).await.expect("changes");
+        let found = standing(&mut tx, &sweep).await.expect("reads");
+        let finished = Some("2026-01-01T00:01:44.000Z".to_owned());
+        assert_eq!((found.points_total, found.finished), (Some(104), finished));
+        let nobody = standing(&mut tx, "none").await.expect("reads");
+        assert_eq!((nobody.worked_s, nobody.count(State::Done)), (0.0, 0));
+    }
 }
