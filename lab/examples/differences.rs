@@ -9,7 +9,7 @@ use std::sync::atomic::AtomicBool;
 use document::{Format, parse};
 use documents::study::plan::Plan;
 use documents::study::{Study, presets};
-use documents::sweep::{Design, Sweep};
+use documents::sweep::{Design, MOST_DESIGNS, Sweep};
 use estimation::error_metrics::order_statistics::upper_median;
 use fem_client::solver::direction::PerDirection;
 use lab::all_cores::cores;
@@ -108,7 +108,7 @@ fn designs(
     study["accuracy"] = json!({"preset": level});
     study["method"] = method.clone();
     let document = json!({"study": study, "grid": grid});
-    let sweep = Sweep::from_value(&document, &|path| Err(path.to_owned()))
+    let sweep = Sweep::from_value(&document, MOST_DESIGNS, &|path| Err(path.to_owned()))
         .map_err(|faults| format!("{faults:?}"))?;
     let entry = |design| entry(design, change);
     sweep.designs.iter().map(entry).collect()

@@ -10,7 +10,7 @@ use documents::own_model::inputs_document::Inputs;
 use documents::own_model::value_table::ValueTable;
 use documents::study::plan::Plan;
 use documents::study::{Study, presets};
-use documents::sweep::{Design, MOST_DESIGNS, Sweep, designs_of, sweep_of, typed_grid};
+use documents::sweep::{Design, MOST_SUBMITTED, Sweep, designs_of, sweep_of, typed_grid};
 use fem_client::scene::Scene;
 use gsa::campaign::Campaign;
 use gsa::law::distribution::Distribution;
@@ -74,12 +74,12 @@ pub fn sweep(text: &str) {
         Err(faults) => return say_where(&faults, text, &OF_SWEEP),
     };
     if document.get("study").is_none() {
-        return match designs_of(base(), &document) {
+        return match designs_of(base(), &document, MOST_SUBMITTED) {
             Ok(designs) => hold(base(), &designs),
             Err(faults) => say_where_of_sweep(&faults, text),
         };
     }
-    match Sweep::from_value(&document, &shipped) {
+    match Sweep::from_value(&document, MOST_SUBMITTED, &shipped) {
         Ok(sweep) => hold(&sweep.base, &sweep.designs),
         Err(faults) => say_where_of_sweep(&faults, text),
     }
@@ -121,7 +121,7 @@ pub fn base() -> &'static Study {
 
 /// Each design is a study of its own that has what the design sets, reads back as itself, and is the same when it is told alone.
 fn hold(base: &Study, designs: &[Design]) {
-    assert!((1..=MOST_DESIGNS).contains(&designs.len()));
+    assert!((1..=MOST_SUBMITTED).contains(&designs.len()));
     // The others of a large grid are made in the same way.
     let some = &designs[..designs.len().min(MOST_HELD)];
     for design in some {
@@ -144,7 +144,11 @@ fn hold(base: &Study, designs: &[Design]) {
         .iter()
         .map(|Design { name, set, .. }| json!({"name": name, "set": set}));
     let alone = json!({"designs": alone.collect::<Vec<_>>()});
-    assert_eq!(designs_of(base, &alone).as_deref(), Ok(some), "{alone}");
+    assert_eq!(
+        designs_of(base, &alone, MOST_SUBMITTED).as_deref(),
+        Ok(some),
+        "{alone}"
+    );
 }
 
 /// Designs of which more is asked than that they are there.

@@ -7,7 +7,7 @@ use document::parse;
 use documents::own_model::inputs_document::Inputs;
 use documents::own_model::value_table::ValueTable;
 use documents::study::Study;
-use documents::sweep::{Design, Sweep, designs_of, sweep_of, typed_grid};
+use documents::sweep::{Design, MOST_SUBMITTED, Sweep, designs_of, sweep_of, typed_grid};
 use fem_client::scene::Scene;
 
 use super::checks::{base, format_of, shipped};
@@ -51,11 +51,14 @@ pub fn sweep(text: &str) -> Outcome {
         Err(faults) => return told(Err(faults), |()| String::new()),
     };
     if document.get("study").is_none() {
-        return told(designs_of(base(), &document), |found| designs(&found));
+        return told(designs_of(base(), &document, MOST_SUBMITTED), |found| {
+            designs(&found)
+        });
     }
-    told(Sweep::from_value(&document, &shipped), |sweep| {
-        designs(&sweep.designs)
-    })
+    told(
+        Sweep::from_value(&document, MOST_SUBMITTED, &shipped),
+        |sweep| designs(&sweep.designs),
+    )
 }
 
 /// The outcome of an inputs file for models of others.

@@ -737,6 +737,11 @@ export interface components {
              * @description Largest resident memory of the process, bytes.
              */
             peak_memory_bytes: number;
+            /**
+             * Format: int64
+             * @description Room that its points and result take in the database, bytes; 0 in results of earlier versions.
+             */
+            database_bytes?: number;
             /** @description Accuracy that the answer is expected to have. */
             accuracy: components["schemas"]["ExpectedAccuracy"];
             /** @description Solves at once. */
@@ -3672,6 +3677,11 @@ export interface components {
              * @description Largest memory of any design, bytes.
              */
             peak_memory_bytes: number;
+            /**
+             * Format: int64
+             * @description Room that all designs take in the database, bytes.
+             */
+            database_bytes: number;
         };
         /** @description A page of sweeps, newest first. */
         SweepPage: {

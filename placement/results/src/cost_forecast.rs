@@ -11,6 +11,9 @@ pub struct Estimate {
     pub wall_s: Option<Forecast>,
     /// Largest resident memory of the process, bytes.
     pub peak_memory_bytes: u64,
+    /// Room that its points and result take in the database, bytes; 0 in results of earlier versions.
+    #[serde(default)]
+    pub database_bytes: u64,
     /// Accuracy that the answer is expected to have.
     pub accuracy: ExpectedAccuracy,
     /// Solves at once.

@@ -89,11 +89,10 @@ impl Relaid {
 
 /// All that is expected to be solved for films of another model: those of the first layout, as it isn't known yet which one answers.
 pub(super) fn expected_series(
-    study: &Study,
+    (study, asked): (&Study, &Asked),
     scenes: &LayoutScenes,
     change: &Changed,
 ) -> Vec<SceneSeries> {
-    let asked = Asked::of(study);
     let first: Vec<&Arrangement> = asked
         .layouts
         .iter()

@@ -11,12 +11,10 @@ use super::changed::Changed;
 use super::changed_films::expected_series;
 use crate::layout::solving::layout_fields::samples;
 use crate::layout::solving::layout_scenes::{LayoutScenes, readout};
+use crate::layout::solving::layout_workload::LayoutWorkload;
 use crate::layout::solving::measuring_layouts::ScoredLayouts;
-use crate::layout::solving::study_layouts::Asked;
 use crate::points::SceneSeries;
 use crate::points::archive::Outcome;
-use documents::study::Study;
-use documents::study::plan::Plan;
 use layouts::arrangement::FilmKind;
 use layouts::field::hermite::Turn;
 use layouts::simulate::drawn_contacts::TrueContact;
@@ -25,32 +23,30 @@ use layouts::simulate::drawn_contacts::TrueContact;
 pub(super) const OTHERS: usize = 2;
 
 /// All that is solved for changed assumptions of a study's layouts.
-pub(crate) fn assumption_series(study: &Study, plan: &Plan) -> Vec<SceneSeries> {
-    let scenes = LayoutScenes::of(&study.layouts, &plan.points[0]);
-    let Some(scenes) = scenes.ok().filter(|_| study.layouts.is_asked()) else {
+pub(crate) fn assumption_series(work: &LayoutWorkload<'_>) -> Vec<SceneSeries> {
+    let Some(scenes) = work.scored() else {
         return Vec::new();
     };
-    let changes = Changed::of_scene(&study.layouts, &plan.points[0]);
+    let (study, kinds) = (work.study, work.asked.kinds.all());
+    let changes = Changed::of_scene(&study.layouts, &work.plan.points[0]);
     let level = study.layouts.level_on(study.level);
-    let mut all = series((&scenes, level), &changes, Asked::of(study).kinds.all());
+    let mut all = series((scenes, level), &changes, kinds);
     if let Some(change) = Changed::of_films(&study.layouts) {
-        all.extend(expected_series(study, &scenes, &change));
+        all.extend(expected_series((study, &work.asked), scenes, &change));
     }
     all
 }
 
 /// Returns how often a layout is scored at a load with an assumption changed, where every layout keeps it.
-pub(crate) fn changed_scorings(study: &Study, plan: &Plan) -> usize {
-    if !study.layouts.is_asked() {
+pub(crate) fn changed_scorings(work: &LayoutWorkload<'_>) -> usize {
+    let settings = &work.study.layouts;
+    if !settings.is_asked() {
         return 0;
     }
-    let scene = &plan.points[0];
-    let loads = LayoutScenes::of(&study.layouts, scene).map_or(0, |scenes| scenes.loads.len());
-    let of_scene = Changed::of_scene(&study.layouts, scene);
-    let of_films = Changed::of_films(&study.layouts);
-    let changes =
-        Changed::of_readings(&study.layouts).len() + of_scene.len() + of_films.iter().len();
-    changes * loads * Asked::of(study).layouts.len().min(1 + OTHERS)
+    let of_scene = Changed::of_scene(settings, &work.plan.points[0]);
+    let of_films = Changed::of_films(settings);
+    let changes = Changed::of_readings(settings).len() + of_scene.len() + of_films.iter().len();
+    changes * work.loads() * work.asked.layouts.len().min(1 + OTHERS)
 }
 
 /// A series for each load of layouts on a level: the scene as assumed, then each change of it; none without a change.

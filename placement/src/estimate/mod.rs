@@ -4,6 +4,7 @@
 //! some of them already. [`Pace`] corrects that while a study runs, and [`NextLevel`] says what a surer answer would take. All of it is a function of its arguments: who asks brings what was measured and what is known.
 
 mod accuracy;
+mod database_room;
 mod estimated_cost;
 mod lone_memory;
 mod next_level;

@@ -1,7 +1,5 @@
 //! Next mesh level: what it would bring a study, and what it would cost.
 
-use std::collections::HashSet;
-
 use fem_client::scene::{Level, Scene};
 use fem_client::solver::Solver;
 
@@ -117,7 +115,7 @@ fn work_s(study: &Study, solver: &dyn Solver) -> Result<Option<f64>, PlanError> 
         true => Workload::counted(study, solver)?,
         false => Workload::of(&PlannedStudy::new(study.clone())?, solver),
     };
-    let estimate = estimate(&work, &HashSet::new(), &Machine::new(1));
+    let estimate = estimate(&work, &|_| false, &Machine::new(1));
     Ok(estimate.wall_s.map(|wall_s| wall_s.expected))
 }
 

@@ -8,11 +8,11 @@ use fem_client::solver::direction::Direction;
 use fem_client::solver::{Readout, Solver};
 use gsa::method::{Kind, Method};
 
+use super::database_room::{point_bytes, result_bytes};
 use super::solve_time::{How, Task};
 use crate::assumptions::changed_scenes::{assumption_series, changed_scorings};
 use crate::ladder::fidelity::Fidelity;
-use crate::layout::solving::layout_workload::{largest_layout, layout_series, scorings, searched};
-use crate::layout::solving::study_layouts::Asked;
+use crate::layout::solving::layout_workload::LayoutWorkload;
 use crate::points::{SceneSeries, Starts, keys, mirror_class, tire};
 use crate::response_table::study_table::StudyTable;
 use crate::signals::measuring::signal_series;
@@ -39,6 +39,8 @@ pub struct Workload {
     pub(crate) readings: usize,
     /// Whether its points were counted, not planned.
     pub(crate) is_counted: bool,
+    /// Room that its result takes in a database, bytes.
+    pub(crate) result_bytes: f64,
     /// Unlikely values of the study.
     pub(crate) unlikely: Vec<String>,
 }
@@ -68,6 +70,8 @@ pub(crate) struct Stage {
     pub scorings: usize,
     /// Scatter of contacts as scores take it, where they differ.
     pub scatter: Option<Scatter>,
+    /// Layouts that the result tells of.
+    pub told: usize,
     /// Layouts that a search looks at by each criterion, and its places.
     pub searched: (f64, usize),
     /// Layouts whose forces are learnt from a rig's runs.
@@ -113,6 +117,8 @@ pub(crate) struct Extra {
 pub(crate) struct Point {
     pub key: String,
     pub task: Task,
+    /// Room that it takes in a database, bytes.
+    pub stored_bytes: f64,
 }
 
 impl Workload {
@@ -173,6 +179,7 @@ impl Workload {
         let path = rungs(study);
         let (mut known, mut stages) = (HashSet::new(), Vec::new());
         let mut effects_due = true;
+        let laid = LayoutWorkload::of(study, &planned.plan);
         for fidelity in path {
             let raised = fidelity.raise(study);
             // A climb that gets to a method that can't be planned ends there.
@@ -213,8 +220,8 @@ impl Workload {
             };
             let signals = further(&|| signal_series(study, &planned.plan, solver));
             let layouts = further(&|| {
-                let mut all = layout_series(study, &planned.plan, solver);
-                all.extend(assumption_series(study, &planned.plan));
+                let mut all = laid.series(solver);
+                all.extend(assumption_series(&laid));
                 all
             });
             let tables = further(&|| StudyTable::series_of(study, &planned.plan));
@@ -233,29 +240,35 @@ impl Workload {
                 layouts,
                 tables,
                 scorings: if is_first {
-                    scorings(study, &planned.plan, solver) + changed_scorings(study, &planned.plan)
+                    laid.scorings(solver) + changed_scorings(&laid)
                 } else {
                     0
                 },
                 scatter: (!study.layouts.contacts.laws.is_empty())
                     .then_some(study.layouts.contacts.scatter),
+                told: match study.layouts.is_asked() {
+                    true => laid.told(),
+                    false => 0,
+                },
                 searched: match is_first {
-                    true => searched(study),
+                    true => laid.searched(),
                     false => (0.0, 0),
                 },
                 learnt: match (&study.rig, is_first) {
-                    (Some(_), true) => Asked::of(study).layouts.len(),
+                    (Some(_), true) => laid.asked.layouts.len(),
                     _ => 0,
                 },
-                films: largest_layout(study),
+                films: laid.largest_layout(),
                 extra,
             });
         }
+        let told = stages.first().map_or(0, |stage: &Stage| stage.told);
         Self {
             stages,
             accuracy: study.accuracy,
             law_holds: solver.has_time_law(),
             readings: readings(study),
+            result_bytes: result_bytes(study, told),
             is_counted: false,
             unlikely: unlikely(planned),
         }
@@ -372,6 +385,7 @@ fn points(
         .map(|(ordinal, (scene, key))| Point {
             key,
             task: Task::read(scene, readout, solver, how(ordinal, scene, &mut classes)),
+            stored_bytes: point_bytes((cut, scene), readout, solver, starts.is_left(ordinal)),
         })
         .collect()
 }

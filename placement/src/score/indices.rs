@@ -274,7 +274,7 @@ fn layer(direction: Direction, strain: &[f64], analyses: &[Analysed], inputs: us
     let over_all = |of: fn(&Analysis) -> &Option<Vec<f64>>, input: usize| {
         analyses
             .iter()
-            .map(|output| Some(of(&output.analysis).as_ref()?[input]))
+            .map(|output| Some(to_map_digits(of(&output.analysis).as_ref()?[input])))
             .collect()
     };
     let first_order = |input| over_all(|analysis| &analysis.first_order, input);
@@ -283,21 +283,19 @@ fn layer(direction: Direction, strain: &[f64], analyses: &[Analysed], inputs: us
     let error = |input: usize| {
         errors
             .iter()
-            .map(|errors| Some(errors.as_ref()?[input]))
+            .map(|errors| Some(to_map_digits(errors.as_ref()?[input])))
             .collect()
     };
+    let deviation = |output: &Analysed| std(&output.analysis).map(to_map_digits);
     MapLayer {
         direction,
-        strain: strain.to_vec(),
-        std: analyses
-            .iter()
-            .map(|output| std(&output.analysis))
-            .collect(),
+        strain: strain.iter().copied().map(to_map_digits).collect(),
+        std: analyses.iter().map(deviation).collect(),
         first_order: (0..inputs).map(first_order).collect(),
         total: (0..inputs).map(total).collect(),
         error: errors
             .iter()
-            .map(|errors| errors.as_deref().map(largest))
+            .map(|errors| errors.as_deref().map(|all| to_map_digits(largest(all))))
             .collect(),
         first_order_error: (0..inputs).map(error).collect(),
         status: analyses
@@ -307,9 +305,45 @@ fn layer(direction: Direction, strain: &[f64], analyses: &[Analysed], inputs: us
     }
 }
 
+/// Significant digits of a map's numbers, whose errors begin at the second: all seventeen would take twice the room, most of a result's.
+const MAP_DIGITS: i32 = 7;
+
+/// A number of a map, rounded to the digits that are kept.
+fn to_map_digits(number: f64) -> f64 {
+    let exponent = number.abs().log10().floor();
+    if !exponent.is_finite() {
+        return number;
+    }
+    // Powers of ten up to the 22nd are exact, so that the quotient is the number that the digits are read as.
+    let scale = 10.0_f64.powi((MAP_DIGITS - 1 - exponent as i32).clamp(0, 22));
+    (number * scale).round() / scale
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_map_keeps_seven_digits() {
+        let told = [
+            0.032_790_498_795_318_28,
+            -7.227_826_438_257_298e-5,
+            1.0 / 3.0,
+            1.0,
+            -0.0,
+        ];
+        let texts = told.map(|number| to_map_digits(number).to_string());
+        assert_eq!(
+            texts,
+            ["0.0327905", "-0.00007227826", "0.3333333", "1", "-0"]
+        );
+        // Beyond any strain or share: less than 5e-23 is nothing, and whole numbers stay.
+        assert_eq!(
+            [1e-300, 12_345_678.9].map(to_map_digits),
+            [0.0, 12_345_679.0]
+        );
+        assert!(to_map_digits(f64::NAN).is_nan());
+    }
 
     #[test]
     fn a_place_has_the_larger_difference_of_its_two_strains() {

@@ -395,7 +395,7 @@ fn a_known_tire_gives_its_signals_with_their_errors() {
     assert_eq!(result.cost.signal_solves, 60);
     let planned = PlannedStudy::new(study.clone()).unwrap();
     let work = Workload::of(&planned, &KnownTire { most_n: 100.0 });
-    let expected = estimate(&work, &std::collections::HashSet::new(), &Machine::new(2));
+    let expected = estimate(&work, &|_| false, &Machine::new(2));
     assert_eq!(expected.solves.signals, 60);
 }
 

@@ -7,10 +7,11 @@ use fem_client::solver::Solver;
 use placement::estimate::Workload;
 use placement::points::worker_threads::in_parallel;
 
+use service::forecast::many_designs::key_number;
 use service::study_document::stored_plan;
 use store::queue::design_rows::DesignRow;
 
-/// Returns what designs ask of a solver; what can't be planned fails by itself. Nothing when it is stopped meanwhile.
+/// Returns what designs ask of a solver; none of one that can't be planned, which fails by itself. Nothing when it is stopped meanwhile.
 pub fn workloads(
     designs: &[&DesignRow],
     solver: &dyn Solver,
@@ -24,43 +25,49 @@ pub fn workloads(
     in_parallel(designs.len(), threads, stop, |i| workload(designs[i]))
 }
 
-/// Keys of the points that a design asks for; none where it has no plan.
-pub fn keys(work: &Option<Workload>) -> Vec<String> {
-    let keys = work.iter().flat_map(Workload::keys);
-    keys.map(str::to_owned).collect()
-}
-
-/// Designs by their places, those that share a key in one group.
+/// Designs by their places, those that share a point in one group.
 ///
 /// A forest, in which each design points to an earlier one of its group, and the first of a group to itself.
-pub fn grouped(designs: impl Iterator<Item = Vec<String>>) -> Vec<Vec<usize>> {
-    let mut earlier: Vec<usize> = Vec::new();
-    let mut first_with: HashMap<String, usize> = HashMap::new();
-    for (index, keys) in designs.enumerate() {
-        earlier.push(index);
-        for key in keys {
-            let other = *first_with.entry(key).or_insert(index);
-            let (one, other) = (root(&mut earlier, index), root(&mut earlier, other));
-            earlier[one.max(other)] = one.min(other);
-        }
-    }
-    let mut groups: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-    for index in 0..earlier.len() {
-        groups
-            .entry(root(&mut earlier, index))
-            .or_default()
-            .push(index);
-    }
-    groups.into_values().collect()
+#[derive(Debug, Default)]
+pub struct Groups {
+    earlier: Vec<usize>,
+    /// First design with each key, which a number stands for: two keys of one number put two designs into a group, nothing else.
+    first_with: HashMap<u64, u32>,
 }
 
-/// The first of a design's group; the ways that were long are shorter afterwards.
-fn root(earlier: &mut [usize], mut index: usize) -> usize {
-    while earlier[index] != index {
-        earlier[index] = earlier[earlier[index]];
-        index = earlier[index];
+impl Groups {
+    /// Adds the next design, by the keys of the points that it asks for.
+    ///
+    /// # Panics
+    /// Beyond 2^32 designs.
+    pub fn add<'k>(&mut self, keys: impl Iterator<Item = &'k str>) {
+        let index = self.earlier.len();
+        self.earlier.push(index);
+        let own = u32::try_from(index).expect("designs are counted in 32 bits");
+        for key in keys {
+            let other = *self.first_with.entry(key_number(key)).or_insert(own);
+            let (one, other) = (self.root(index), self.root(other as usize));
+            self.earlier[one.max(other)] = one.min(other);
+        }
     }
-    index
+
+    /// The groups, each in the order of its designs.
+    pub fn into_groups(mut self) -> Vec<Vec<usize>> {
+        let mut groups: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        for index in 0..self.earlier.len() {
+            groups.entry(self.root(index)).or_default().push(index);
+        }
+        groups.into_values().collect()
+    }
+
+    /// The first of a design's group; the ways that were long are shorter afterwards.
+    fn root(&mut self, mut index: usize) -> usize {
+        while self.earlier[index] != index {
+            self.earlier[index] = self.earlier[self.earlier[index]];
+            index = self.earlier[index];
+        }
+        index
+    }
 }
 
 #[cfg(test)]
@@ -72,8 +79,11 @@ mod tests {
     #[test]
     fn designs_that_share_a_point_stay_together_in_their_order() {
         let keys = |lists: &[&[&str]]| {
-            let owned = |list: &&[&str]| list.iter().map(|key| (*key).to_owned()).collect();
-            grouped(lists.iter().map(owned).collect::<Vec<_>>().into_iter())
+            let mut groups = Groups::default();
+            for list in lists {
+                groups.add(list.iter().copied());
+            }
+            groups.into_groups()
         };
         assert_eq!(keys(&[&["a"], &["b"], &["a"]]), [vec![0, 2], vec![1]]);
         // The third joins the first two.
@@ -92,14 +102,18 @@ mod tests {
     fn a_long_chain_of_designs_is_grouped_as_quickly_as_it_is_read() {
         // Each design shares a key with the next: moving a group's keys to the next one's would take an hour.
         const DESIGNS: usize = 100_000;
-        let chain = |index: usize| vec![index.to_string(), (index + 1).to_string()];
+        let keys: Vec<String> = (0..=DESIGNS).map(|index| index.to_string()).collect();
+        let grouped = |lists: &mut dyn Iterator<Item = &[String]>| {
+            let mut groups = Groups::default();
+            lists.for_each(|list| groups.add(list.iter().map(String::as_str)));
+            groups.into_groups()
+        };
         let begun = Instant::now();
-        let forward = grouped((0..DESIGNS).map(chain));
-        let backward = grouped((0..DESIGNS).rev().map(chain));
+        let forward = grouped(&mut keys.windows(2));
+        let backward = grouped(&mut keys.windows(2).rev());
         // The last one joins all others, which stood alone until then.
-        let all = (0..DESIGNS).map(|index| index.to_string()).collect();
-        let alone = (0..DESIGNS).map(|index| vec![index.to_string()]);
-        let joined = grouped(alone.chain([all]));
+        let all = &keys[..DESIGNS];
+        let joined = grouped(&mut all.chunks(1).chain([all]));
         assert_eq!((forward.len(), backward.len(), joined.len()), (1, 1, 1));
         assert_eq!(forward[0].len(), DESIGNS);
         assert!(

@@ -8,17 +8,18 @@ use placement::estimate::Workload;
 use placement::sharing::{LARGE, Part, SMALLEST, is_shareable};
 use tokio::runtime::Handle;
 
-use crate::grouping::{grouped, keys, workloads};
+use crate::grouping::{Groups, workloads};
 use crate::task_error::TaskError;
 use crate::task_folder::{Task, TaskFolder, Tasks};
 use service::engine::Engine;
-use service::forecast::forecast_designs;
-use service::queue::sweeps::designs_of;
+use service::forecast::many_designs::{Foreseen, ManyDesigns, TOGETHER};
+use service::queue::sweeps::designs_within;
 use service::study_document::stored_plan;
 use store::StoreError;
 use store::merging::target::Merging;
 use store::points::evaluations;
 use store::queue::design_rows::DesignRow;
+use store::queue::study_rows::StudyRow;
 
 /// Task with the points that its designs would ask for and that are known here.
 pub struct Given {
@@ -38,14 +39,13 @@ pub struct Packer<'p> {
     pub stop: &'p AtomicBool,
 }
 
-/// Designs without a result, with what they ask of a solver.
-struct Lacking {
-    designs: Vec<DesignRow>,
-    works: Vec<Option<Workload>>,
-    /// Times that they are expected to take, s.
-    expected: Vec<Option<f64>>,
-    /// Keys of their points that are known here.
-    known: HashSet<String>,
+/// Design that goes to other machines whole.
+struct Whole {
+    study: String,
+    /// Time that it is expected to take, s.
+    expected_s: Option<f64>,
+    /// Keys of its points that are known here.
+    known: Vec<String>,
 }
 
 /// Way in which a design goes to other machines.
@@ -65,23 +65,40 @@ impl Packer<'_> {
     /// # Errors
     /// When the database can't be read or written, or the user stops it.
     pub fn pack(&self, sweep: &str) -> Result<Vec<Given>, TaskError> {
-        let lacking = self.lacking(sweep)?;
-        let (mut whole, mut parts) = (Vec::new(), Vec::new());
-        for design in 0..lacking.designs.len() {
-            match lacking.share(design, self.most_s())? {
-                Share::None => {}
-                Share::Whole => whole.push(design),
-                Share::Parts(of) => parts.extend(self.parts(&lacking, design, of)?),
+        let engine = self.engine;
+        let mut many = ManyDesigns::new(Some(&engine.store), &engine.solver, engine.threads);
+        let (mut whole, mut groups, mut parts) = (Vec::new(), Groups::default(), Vec::new());
+        for first in (0..).step_by(TOGETHER) {
+            let some = designs_within(&engine.store, sweep, first..first + TOGETHER);
+            let some = self.runtime.block_on(some)?;
+            if some.is_empty() {
+                break;
+            }
+            let open: Vec<&DesignRow> = some.iter().filter(|d| !d.study.ended()).collect();
+            let works = workloads(&open, engine.solver.as_ref(), engine.threads, self.stop);
+            let works = works.ok_or(TaskError::Stopped)?;
+            let foreseen = self.runtime.block_on(many.next(&works))?;
+            for ((design, work), foreseen) in open.iter().zip(&works).zip(foreseen) {
+                let (expected_s, known) = told(foreseen);
+                let keys = || work.iter().flat_map(Workload::keys);
+                match self.share(&design.study, keys().count(), (expected_s, known.len()))? {
+                    Share::None => {}
+                    Share::Whole => {
+                        groups.add(keys());
+                        whole.push(Whole {
+                            study: design.study.id.clone(),
+                            expected_s,
+                            known,
+                        });
+                    }
+                    Share::Parts(of) => parts.extend(self.parts(&design.study, expected_s, of)?),
+                }
             }
         }
         // What nobody can estimate is a task of its own.
-        let time_s = |place: usize| lacking.expected[whole[place]].unwrap_or(self.most_s());
-        let groups = grouped(whole.iter().map(|&design| keys(&lacking.works[design])));
-        let tasks = packed(groups, time_s, self.most_s()).into_iter();
-        let tasks = tasks.map(|task| {
-            let designs: Vec<usize> = task.into_iter().map(|place| whole[place]).collect();
-            lacking.given(&designs)
-        });
+        let time_s = |design: usize| whole[design].expected_s.unwrap_or(self.most_s());
+        let tasks = packed(groups.into_groups(), time_s, self.most_s()).into_iter();
+        let tasks = tasks.map(|designs| given(designs.iter().map(|design| &whole[*design])));
         Ok(tasks.chain(parts).collect())
     }
 
@@ -89,27 +106,40 @@ impl Packer<'_> {
         60.0 * self.minutes
     }
 
-    fn lacking(&self, sweep: &str) -> Result<Lacking, TaskError> {
-        let engine = self.engine;
-        let designs = self.runtime.block_on(designs_of(&engine.store, sweep));
-        let mut designs = designs?;
-        designs.retain(|design| !design.study.ended());
-        let all: Vec<&DesignRow> = designs.iter().collect();
-        let works = workloads(&all, engine.solver.as_ref(), engine.threads, self.stop);
-        let works = works.ok_or(TaskError::Stopped)?;
-        let forecast = forecast_designs(&engine.store, &engine.solver, engine.threads, &works);
-        let (expected, known) = self.runtime.block_on(forecast)?;
-        Ok(Lacking {
-            designs,
-            works,
-            expected,
-            known,
+    /// Way in which a study goes that asks for so many points, takes so long, s, and has so many of them.
+    fn share(
+        &self,
+        study: &StudyRow,
+        all: usize,
+        (expected_s, has): (Option<f64>, usize),
+    ) -> Result<Share, TaskError> {
+        if all == 0 {
+            return Ok(Share::Whole);
+        }
+        let lacks = all - has;
+        if lacks == 0 || (lacks < LARGE && has >= LARGE) {
+            // A little is left, or nothing but to analyse it: sending its points away would take longer.
+            return Ok(Share::None);
+        }
+        let tasks = (expected_s.unwrap_or(f64::INFINITY) / self.most_s()).ceil();
+        let of = (lacks / SMALLEST).min(tasks as usize);
+        if lacks < LARGE || of < 2 {
+            return Ok(Share::Whole);
+        }
+        let planned = stored_plan(study).map_err(TaskError::Failed)?;
+        Ok(match is_shareable(&planned.study) {
+            true => Share::Parts(of),
+            false => Share::Whole,
         })
     }
 
     /// Parts of a design's points, so many, each with the cut points, which are solved here where they lack.
-    fn parts(&self, lacking: &Lacking, design: usize, of: usize) -> Result<Vec<Given>, TaskError> {
-        let study = &lacking.designs[design].study;
+    fn parts(
+        &self,
+        study: &StudyRow,
+        expected_s: Option<f64>,
+        of: usize,
+    ) -> Result<Vec<Given>, TaskError> {
         let handle = self.runtime;
         let solved = self
             .engine
@@ -133,7 +163,7 @@ impl Packer<'_> {
                 task: Task {
                     studies: vec![study.id.clone()],
                     part: Some(part),
-                    expected_s: lacking.expected[design].map(|all_s| all_s / of as f64),
+                    expected_s: expected_s.map(|all_s| all_s / of as f64),
                 },
             })
         };
@@ -141,47 +171,25 @@ impl Packer<'_> {
     }
 }
 
-impl Lacking {
-    fn share(&self, design: usize, most_s: f64) -> Result<Share, TaskError> {
-        let Some(work) = &self.works[design] else {
-            return Ok(Share::Whole);
-        };
-        let all = work.keys().count();
-        let has = work.keys().filter(|key| self.known.contains(*key)).count();
-        let lacks = all - has;
-        if lacks == 0 || (lacks < LARGE && has >= LARGE) {
-            // A little is left, or nothing but to analyse it: sending its points away would take longer.
-            return Ok(Share::None);
-        }
-        let tasks = (self.expected[design].unwrap_or(f64::INFINITY) / most_s).ceil();
-        let of = (lacks / SMALLEST).min(tasks as usize);
-        if lacks < LARGE || of < 2 {
-            return Ok(Share::Whole);
-        }
-        let planned = stored_plan(&self.designs[design].study).map_err(TaskError::Failed)?;
-        Ok(match is_shareable(&planned.study) {
-            true => Share::Parts(of),
-            false => Share::Whole,
-        })
-    }
+/// Time that a design is expected to take, s, and the keys of its points that are known.
+fn told(foreseen: Option<Foreseen>) -> (Option<f64>, Vec<String>) {
+    let Some(Foreseen { estimate, known }) = foreseen else {
+        return (None, Vec::new());
+    };
+    (estimate.wall_s.map(|wall_s| wall_s.expected), known)
+}
 
-    /// A task of whole designs.
-    fn given(&self, designs: &[usize]) -> Given {
-        let keys = designs
-            .iter()
-            .flat_map(|&design| self.works[design].iter().flat_map(Workload::keys));
-        let shared: HashSet<&str> = keys.filter(|key| self.known.contains(*key)).collect();
-        let times = designs.iter().map(|&design| self.expected[design]);
-        let times: Option<Vec<f64>> = times.collect();
-        let studies = designs.iter().map(|&design| &self.designs[design].study);
-        Given {
-            known: shared.into_iter().map(str::to_owned).collect(),
-            task: Task {
-                studies: studies.map(|study| study.id.clone()).collect(),
-                part: None,
-                expected_s: times.map(|times| times.iter().sum()),
-            },
-        }
+/// A task of whole designs.
+fn given<'w>(designs: impl Iterator<Item = &'w Whole> + Clone) -> Given {
+    let known: HashSet<&String> = designs.clone().flat_map(|design| &design.known).collect();
+    let times: Option<Vec<f64>> = designs.clone().map(|design| design.expected_s).collect();
+    Given {
+        known: known.into_iter().cloned().collect(),
+        task: Task {
+            studies: designs.map(|design| design.study.clone()).collect(),
+            part: None,
+            expected_s: times.map(|times| times.iter().sum()),
+        },
     }
 }
 

@@ -57,12 +57,15 @@ impl Ring {
 
     /// Whether both lay the same films.
     fn is_same(&self, other: &Self) -> bool {
-        let of_menu = self.of_menu;
-        *self
-            == Self {
-                of_menu,
-                ..other.clone()
-            }
+        let Self {
+            units,
+            section_deg,
+            directions,
+            staggered,
+            of_menu: _,
+        } = other;
+        (self.units, self.section_deg, self.staggered) == (*units, *section_deg, *staggered)
+            && self.directions == *directions
     }
 }
 

@@ -15,7 +15,9 @@ use crate::study::study_reader::LONGEST_NAME;
 use document::typed::field_value::read_name;
 
 /// Most designs of a sweep.
-pub const MOST_DESIGNS: usize = 10_000;
+pub const MOST_DESIGNS: usize = 100_000;
+/// Most designs of a document over HTTP, for whose answer a client waits: a design takes some milliseconds.
+pub const MOST_SUBMITTED: usize = 10_000;
 /// Most values that a design sets: a scene has fewer fields.
 const MOST_SET: usize = 100;
 /// Most bytes of the values of all designs, written out as JSON: a grid repeats each in many designs.
@@ -43,6 +45,7 @@ pub(super) fn name(fields: &Fields<'_>, faults: &mut Vec<Fault>) -> Option<Optio
 pub(super) fn of_grid(
     grid: &Value,
     pointer: &str,
+    most: usize,
     faults: &mut Vec<Fault>,
 ) -> Option<Vec<DesignDraft>> {
     let Some(table) = grid.as_object().filter(|table| !table.is_empty()) else {
@@ -62,7 +65,7 @@ pub(super) fn of_grid(
         list.map(|values| Axis { path, values, at })
     });
     let axes: Vec<Axis<'_>> = axes.collect();
-    if let Some(detail) = too_much(&axes) {
+    if let Some(detail) = too_much(&axes, most) {
         Fault::add(faults, pointer, detail);
     }
     refuse_twins(table, pointer, faults);
@@ -92,14 +95,14 @@ struct Axis<'g> {
 }
 
 /// Says why a grid asks for too much, when it does.
-fn too_much(axes: &[Axis<'_>]) -> Option<String> {
+fn too_much(axes: &[Axis<'_>], most: usize) -> Option<String> {
     if axes.len() > MOST_SET {
         return Some(too_many_set());
     }
     let counts = axes.iter().map(|axis| axis.values.len());
     let designs = counts.fold(1, usize::saturating_mul);
-    if designs > MOST_DESIGNS {
-        return Some(too_many());
+    if designs > most {
+        return Some(too_many(most));
     }
     let bytes = axes.iter().map(|axis| {
         let once: usize = axis.values.iter().map(bytes).sum();
@@ -136,8 +139,12 @@ fn combinations(axes: &[Axis<'_>], pointer: &str) -> impl Iterator<Item = Design
     })
 }
 
-fn too_many() -> String {
-    format!("these are more than {MOST_DESIGNS} designs, the most of one sweep")
+fn too_many(most: usize) -> String {
+    let of = match most {
+        MOST_DESIGNS => "of one sweep",
+        _ => "at once; `strainsite sweep` takes more",
+    };
+    format!("these are more than {most} designs, the most {of}")
 }
 
 fn too_many_set() -> String {
@@ -148,6 +155,7 @@ fn too_many_set() -> String {
 pub(super) fn of_list(
     list: &Value,
     pointer: &str,
+    most: usize,
     faults: &mut Vec<Fault>,
 ) -> Option<Vec<DesignDraft>> {
     let Some(items) = list.as_array().filter(|items| !items.is_empty()) else {
@@ -155,8 +163,8 @@ pub(super) fn of_list(
         Fault::add(faults, pointer, detail);
         return None;
     };
-    if items.len() > MOST_DESIGNS {
-        Fault::add(faults, pointer, too_many());
+    if items.len() > most {
+        Fault::add(faults, pointer, too_many(most));
         return None;
     }
     let drafts = items

@@ -16,21 +16,25 @@ use document::fault::{Fault, member};
 use document::fields::Fields;
 use document::visible::visible;
 use fem_client::scene::edit::put_in;
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use serde_json::{Map, Value, json};
 
-pub use design_draft::MOST_DESIGNS;
 use design_draft::{DesignDraft, field_of, name, names, of_grid, of_list};
+pub use design_draft::{MOST_DESIGNS, MOST_SUBMITTED};
 pub use typed::{typed_grid, typed_settings};
 
 use crate::parts::scene_reader::Resolve;
-use crate::study::Study;
 use crate::study::plan::PlannedStudy;
 use crate::study::study_fields::FIELDS;
 use crate::study::study_reader::LONGEST_NAME;
+use crate::study::{Study, sha256_hex};
 use document::typed::field_value::read_name;
 
-/// Most solves that all designs of a document ask for at first: each is planned before anything is stored.
-const MOST_SOLVES: usize = 300_000;
+/// Solves that designs ask for at first, in the mean of as many as there may be: each is planned before anything is stored.
+const MOST_SOLVES_EACH: usize = 40;
+/// Designs that are read side by side before their faults are looked at.
+const READ_TOGETHER: usize = 256;
+
 /// Whether a path leads into the study's document, and not into its scene. A design has a name of its own.
 fn is_of_study(path: &str) -> bool {
     let step = first_step(path);
@@ -61,15 +65,19 @@ pub struct Sweep {
 
 impl Sweep {
     /// Reads a sweep from a parsed document: `study`, and `grid` (lists of values by path, of which every combination is a design, the last path
-    /// varying fastest) or `designs` (a list of `set`, values by path, each with a `name` if wanted).
+    /// varying fastest) or `designs` (a list of `set`, values by path, each with a `name` if wanted), `most` designs at most.
     ///
     /// # Errors
     /// Every fault of the document.
-    pub fn from_value(value: &Value, resolve: Resolve<'_>) -> Result<Self, Vec<Fault>> {
+    pub fn from_value(
+        value: &Value,
+        most: usize,
+        resolve: Resolve<'_>,
+    ) -> Result<Self, Vec<Fault>> {
         let mut faults = Vec::new();
         let known = ["name", "study", "grid", "designs"];
         let sweep = Fields::open(value, "", &known, &mut faults)
-            .and_then(|fields| read(&fields, resolve, &mut faults));
+            .and_then(|fields| read(&fields, most, resolve, &mut faults));
         match sweep {
             Some(sweep) if faults.is_empty() => Ok(sweep),
             _ => Err(faults),
@@ -77,7 +85,12 @@ impl Sweep {
     }
 }
 
-fn read(fields: &Fields<'_>, resolve: Resolve<'_>, faults: &mut Vec<Fault>) -> Option<Sweep> {
+fn read(
+    fields: &Fields<'_>,
+    most: usize,
+    resolve: Resolve<'_>,
+    faults: &mut Vec<Fault>,
+) -> Option<Sweep> {
     let (study, pointer) = fields.required("study", "a study document", faults)?;
     let base = match Study::from_value(study, resolve) {
         Ok(base) => base,
@@ -88,12 +101,17 @@ fn read(fields: &Fields<'_>, resolve: Resolve<'_>, faults: &mut Vec<Fault>) -> O
             return None;
         }
     };
-    with_designs(base, fields, faults)
+    with_designs(base, fields, most, faults)
 }
 
-fn with_designs(base: Study, fields: &Fields<'_>, faults: &mut Vec<Fault>) -> Option<Sweep> {
+fn with_designs(
+    base: Study,
+    fields: &Fields<'_>,
+    most: usize,
+    faults: &mut Vec<Fault>,
+) -> Option<Sweep> {
     let name = name(fields, faults);
-    let designs = read_designs(&base, fields, faults);
+    let designs = read_designs(&base, fields, most, faults);
     let (name, designs) = (name?.unwrap_or_else(|| base.name.clone()), designs?);
     Some(Sweep {
         name,
@@ -116,21 +134,21 @@ pub fn sweep_of(
     let document = Value::Object(document);
     let mut faults = Vec::new();
     let sweep = Fields::open(&document, "", &["name", "grid"], &mut faults)
-        .and_then(|fields| with_designs(base, &fields, &mut faults));
+        .and_then(|fields| with_designs(base, &fields, MOST_DESIGNS, &mut faults));
     match sweep {
         Some(sweep) if faults.is_empty() => Ok(sweep),
         _ => Err(faults),
     }
 }
 
-/// Reads further designs of a study: a document with `grid` or `designs`.
+/// Reads further designs of a study, `most` at most: a document with `grid` or `designs`.
 ///
 /// # Errors
 /// Every fault of the document.
-pub fn designs_of(base: &Study, value: &Value) -> Result<Vec<Design>, Vec<Fault>> {
+pub fn designs_of(base: &Study, value: &Value, most: usize) -> Result<Vec<Design>, Vec<Fault>> {
     let mut faults = Vec::new();
     let designs = Fields::open(value, "", &["grid", "designs"], &mut faults)
-        .and_then(|fields| read_designs(base, &fields, &mut faults));
+        .and_then(|fields| read_designs(base, &fields, most, &mut faults));
     match designs {
         Some(designs) if faults.is_empty() => Ok(designs),
         _ => Err(faults),
@@ -164,8 +182,13 @@ pub fn changed(
     }
     let base = base.study;
     let list = json!([{"name": base.name, "set": set}]);
-    let draft = of_list(&list, "", &mut faults).and_then(|mut drafts| drafts.pop());
-    let planned = draft.and_then(|draft| study_of(&base, &draft, &base.name, &mut faults));
+    let draft = of_list(&list, "", 1, &mut faults).and_then(|mut drafts| drafts.pop());
+    let planned = draft.and_then(|draft| {
+        let planned = planned_design(&base, &draft, &base.name);
+        planned
+            .map_err(|found| blame_all(&draft, &base.name, &found, &mut faults))
+            .ok()
+    });
     match planned {
         Some(mut planned) if faults.is_empty() => {
             planned.study.name = base.name;
@@ -206,10 +229,15 @@ fn of_setting(fault: Fault) -> Fault {
     }
 }
 
-fn read_designs(base: &Study, fields: &Fields<'_>, faults: &mut Vec<Fault>) -> Option<Vec<Design>> {
+fn read_designs(
+    base: &Study,
+    fields: &Fields<'_>,
+    most: usize,
+    faults: &mut Vec<Fault>,
+) -> Option<Vec<Design>> {
     let drafts = match (fields.get("grid"), fields.get("designs")) {
-        (Some((grid, pointer)), None) => of_grid(grid, &pointer, faults)?,
-        (None, Some((list, pointer))) => of_list(list, &pointer, faults)?,
+        (Some((grid, pointer)), None) => of_grid(grid, &pointer, most, faults)?,
+        (None, Some((list, pointer))) => of_list(list, &pointer, most, faults)?,
         _ => {
             let detail = "must hold exactly one of grid and designs: {\"geometry.wall_mm\": [2.5, 3]} as grid, or \
                           [{\"set\": {\"geometry.wall_mm\": 2.5}}] as designs";
@@ -218,34 +246,75 @@ fn read_designs(base: &Study, fields: &Fields<'_>, faults: &mut Vec<Fault>) -> O
         }
     };
     let names = names(&drafts);
-    let mut seen: HashMap<String, String> = HashMap::new();
-    let (mut designs, mut solves) = (Vec::new(), 0_usize);
-    for (draft, name) in drafts.into_iter().zip(names) {
-        // Thousands may have one fault in common.
-        if Fault::are_enough(faults) {
-            return None;
-        }
-        // Its plan is let go: those of all designs together would be large.
-        let Some(PlannedStudy { study, .. }) = study_of(base, &draft, &name, faults) else {
-            continue;
+    let named: Vec<(DesignDraft, String)> = drafts.into_iter().zip(names).collect();
+    let mut read = ReadDesigns::of_at_most(most);
+    for some in named.chunks(READ_TOGETHER) {
+        // Plans are let go: those of all designs together would be large.
+        let study = |(draft, name): &(DesignDraft, String)| {
+            planned_design(base, draft, name).map(|planned| planned.study)
         };
-        solves = solves.saturating_add(study.method.first_points(study.inputs.len()));
-        if solves > MOST_SOLVES && !designs.is_empty() {
-            let detail = format!("the designs ask for more than {MOST_SOLVES} solves together");
+        let studies: Vec<Result<Study, Vec<Fault>>> = some.par_iter().map(study).collect();
+        for ((draft, name), study) in some.iter().zip(studies) {
+            // Thousands may have one fault in common.
+            if Fault::are_enough(faults) {
+                return None;
+            }
+            match study {
+                Ok(study) => read.add(draft, name, study, faults)?,
+                Err(found) => blame_all(draft, name, &found, faults),
+            }
+        }
+    }
+    Some(read.designs)
+}
+
+/// Designs that were read so far.
+struct ReadDesigns {
+    designs: Vec<Design>,
+    solves: usize,
+    most_solves: usize,
+    /// Place in the document of each, by the hash of all but its name.
+    seen: HashMap<String, String>,
+}
+
+impl ReadDesigns {
+    fn of_at_most(designs: usize) -> Self {
+        Self {
+            designs: Vec::new(),
+            solves: 0,
+            most_solves: MOST_SOLVES_EACH * designs,
+            seen: HashMap::new(),
+        }
+    }
+
+    /// Adds a design; nothing where those so far ask for too much.
+    fn add(
+        &mut self,
+        draft: &DesignDraft,
+        name: &str,
+        study: Study,
+        faults: &mut Vec<Fault>,
+    ) -> Option<()> {
+        let own = study.method.first_points(study.inputs.len());
+        self.solves = self.solves.saturating_add(own);
+        if self.solves > self.most_solves && !self.designs.is_empty() {
+            let most = self.most_solves;
+            let detail = format!("the designs ask for more than {most} solves together");
             Fault::add(faults, &draft.pointer, detail);
             return None;
         }
-        if let Some(twin) = seen.insert(nameless(&study), draft.pointer.clone()) {
+        let document = sha256_hex(&nameless(&study));
+        if let Some(twin) = self.seen.insert(document, draft.pointer.clone()) {
             let detail = format!("is the same design as that of {twin}");
             Fault::add(faults, &draft.pointer, detail);
         }
-        designs.push(Design {
-            name,
-            set: draft.set,
+        self.designs.push(Design {
+            name: name.to_owned(),
+            set: draft.set.clone(),
             study,
         });
+        Some(())
     }
-    Some(designs)
 }
 
 /// Canonical document of a study without its name: the same for the same design.
@@ -257,13 +326,12 @@ pub fn nameless(study: &Study) -> String {
     nameless.canonical()
 }
 
-/// The study of a design; its faults stand where the values do.
-fn study_of(
+/// The study of a design, or the faults of its document.
+fn planned_design(
     base: &Study,
     draft: &DesignDraft,
     name: &str,
-    faults: &mut Vec<Fault>,
-) -> Option<PlannedStudy> {
+) -> Result<PlannedStudy, Vec<Fault>> {
     let (of_study, of_scene): (Vec<_>, Vec<_>) = draft
         .set
         .iter()
@@ -294,21 +362,11 @@ fn study_of(
         }
         put_in(&mut document, path, value.clone(), &mut found);
     }
-    let planned = if found.is_empty() {
-        let no_files = |path: &str| Err(format!("a design names the file {path:?}"));
-        PlannedStudy::from_value(&document, &no_files)
-    } else {
-        Err(found)
-    };
-    match planned {
-        Ok(planned) => Some(planned),
-        Err(found) => {
-            found
-                .iter()
-                .for_each(|fault| blame(draft, name, fault, faults));
-            None
-        }
+    if !found.is_empty() {
+        return Err(found);
     }
+    let no_files = |path: &str| Err(format!("a design names the file {path:?}"));
+    PlannedStudy::from_value(&document, &no_files)
 }
 
 fn first_step(path: &str) -> &str {
@@ -321,7 +379,13 @@ fn full_name(base: &Study, name: &str) -> String {
     full.chars().take(LONGEST_NAME).collect()
 }
 
-/// A fault of a design's study, told of the value that made it: once, however many designs of a grid share it.
+/// Faults of a design's study, each told of the value that made it: once, however many designs of a grid share it.
+fn blame_all(draft: &DesignDraft, name: &str, found: &[Fault], faults: &mut Vec<Fault>) {
+    for fault in found {
+        blame(draft, name, fault, faults);
+    }
+}
+
 fn blame(draft: &DesignDraft, name: &str, fault: &Fault, faults: &mut Vec<Fault>) {
     let within = fault
         .pointer

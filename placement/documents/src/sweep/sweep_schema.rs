@@ -7,7 +7,7 @@ use serde_json::json;
 
 use crate::study::study_reader::LONGEST_NAME;
 use crate::study::study_schema::study_schema;
-use crate::sweep::design_draft::MOST_DESIGNS;
+use crate::sweep::design_draft::MOST_SUBMITTED;
 
 /// The schema of a sweep: a study, and a grid or designs.
 pub fn sweep_schema(schemas: &mut Schemas) -> Value {
@@ -47,7 +47,7 @@ fn describe_designs(table: &mut Properties, schemas: &mut Schemas) {
         design.table("A design.")
     });
     let designs =
-        json!({"type": "array", "minItems": 1, "maxItems": MOST_DESIGNS, "items": design});
+        json!({"type": "array", "minItems": 1, "maxItems": MOST_SUBMITTED, "items": design});
     table.add("designs", "Designs, one by one.", designs, None, false);
     table.exclude(&["grid", "designs"]);
 }

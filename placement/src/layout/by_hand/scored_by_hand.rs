@@ -11,7 +11,7 @@ use crate::layout::by_hand::stored_solves::StoredSolves;
 use crate::layout::solving::judged_layouts::{noise, samples};
 use crate::layout::solving::layout_fields::MeshFields;
 use crate::layout::solving::layout_scenes::LayoutScenes;
-use crate::layout::solving::layout_workload::layout_series;
+use crate::layout::solving::layout_workload::LayoutWorkload;
 use crate::layout::solving::measuring_layouts::both_meshes;
 use crate::layout::solving::study_layouts::Asked;
 use crate::points::RunContext;
@@ -112,7 +112,7 @@ impl StoredStudy {
     pub fn scenes(&self) -> HashSet<String> {
         let PlannedStudy { study, plan } = &self.planned;
         let stored = StoredSolves::new(Default::default(), self.coarser);
-        let series = layout_series(study, plan, &stored).into_iter();
+        let series = LayoutWorkload::of(study, plan).series(&stored).into_iter();
         series
             .flat_map(|series| series.scenes)
             .map(|scene| scene.canonical_json())

@@ -73,7 +73,7 @@ impl LayoutScenes {
         let mut tire = means.clone();
         tire.film = None;
         let loads = loads(settings, means)?;
-        if let Some(load) = loads.iter().find(|load| pressed(&tire, **load).is_none()) {
+        if let Some(load) = loads.iter().find(|load| !is_reachable(&tire, **load)) {
             return Err(format!(
                 "Layouts have no scores: this tire can't be pressed by {load} as a scene can."
             ));
@@ -91,7 +91,7 @@ impl LayoutScenes {
             let is_near =
                 |other: &Pressed| (other.value() - load.value()).abs() < TOO_NEAR * load.value();
             let mut known = solved.iter().chain(further.iter().map(|(_, load)| load));
-            if !known.any(is_near) && pressed(&tire, load).is_some() {
+            if !known.any(is_near) && is_reachable(&tire, load) {
                 further.push((nearest(&solved, load), load));
             }
         }
@@ -127,7 +127,7 @@ impl LayoutScenes {
 
     /// The tire under a flat ground, on a level.
     pub(crate) fn pressed_by(&self, load: Pressed, level: Level) -> Scene {
-        let mut scene = pressed(&self.tire, load).unwrap_or_else(|| self.tire.clone());
+        let mut scene = pressed(&self.tire, load);
         scene.model.level = level;
         scene
     }
@@ -234,8 +234,14 @@ impl LayoutScenes {
     }
 }
 
-/// The tire under a flat ground; `None` where a scene can't be pressed so far.
-fn pressed(tire: &Scene, load: Pressed) -> Option<Scene> {
+/// Whether a scene can be pressed so far.
+fn is_reachable(tire: &Scene, load: Pressed) -> bool {
+    let mut faults = Vec::new();
+    Scene::from_value(&pressed(tire, load).to_value(), "", &mut faults).is_some()
+}
+
+/// The tire under a flat ground.
+fn pressed(tire: &Scene, load: Pressed) -> Scene {
     let mut scene = tire.clone();
     match load {
         Pressed::Depth(depth) => {
@@ -247,7 +253,7 @@ fn pressed(tire: &Scene, load: Pressed) -> Option<Scene> {
             scene.ground.load_n = Some(force);
         }
     }
-    Scene::from_json(&scene.canonical_json()).ok()
+    scene
 }
 
 /// The middle one of increasing loads, whose crown sets the noise, then the others outwards from it, the larger first; and which of these each starts from.

@@ -12,7 +12,7 @@ use crate::layout::solving::glued::transfers::GluedFilms;
 use crate::layout::solving::judged_layouts::Answer;
 use crate::layout::solving::layout_fields::{MeshFields, mesh_fields};
 use crate::layout::solving::layout_scenes::LayoutScenes;
-use crate::layout::solving::layout_workload::{layout_series, levels};
+use crate::layout::solving::layout_workload::{LayoutWorkload, levels};
 use crate::layout::solving::mirror_parts::mirrored;
 use crate::layout::solving::shear_fields::add_shear;
 use crate::layout::solving::study_layouts::Asked;
@@ -166,7 +166,7 @@ pub(crate) fn both_meshes<'s>(
 
 /// Counts the points that are solved for layouts.
 fn count(study: &Study, plan: &Plan, solver: &dyn Solver) -> usize {
-    let series = layout_series(study, plan, solver).into_iter();
+    let series = LayoutWorkload::of(study, plan).series(solver).into_iter();
     series.map(|series| series.scenes.len()).sum()
 }
 

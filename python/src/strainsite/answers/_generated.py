@@ -852,6 +852,8 @@ class Estimate:
     """Wall-clock time; None where `reason` says why."""
     peak_memory_bytes: int
     """Largest resident memory of the process, bytes."""
+    database_bytes: int = 0
+    """Room that its points and result take in the database, bytes; 0 in results of earlier versions."""
     accuracy: ExpectedAccuracy
     """Accuracy that the answer is expected to have."""
     threads: int
@@ -2842,6 +2844,8 @@ class SweepEstimate:
     """Wall-clock time of all; None where a design's own is, which says why."""
     peak_memory_bytes: int
     """Largest memory of any design, bytes."""
+    database_bytes: int
+    """Room that all designs take in the database, bytes."""
 
 
 @dataclass(frozen=True, kw_only=True)

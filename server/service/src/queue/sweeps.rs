@@ -4,6 +4,7 @@
 //! start repeats anything; where a sweep stands is read off its designs and stored nowhere.
 
 use std::collections::HashSet;
+use std::ops::Range;
 
 use documents::study::Study;
 use documents::sweep::{Design, MOST_DESIGNS, Sweep, nameless};
@@ -166,9 +167,10 @@ impl Queue {
     /// # Errors
     /// When the database can't be written.
     pub async fn cancel_sweep(&self, id: &str) -> Result<(), StoreError> {
-        let designs = designs_of(self.store(), id).await?;
-        let open = designs.iter().filter(|design| !design.study.ended());
-        let open: Vec<&str> = open.map(|design| design.study.id.as_str()).collect();
+        let mut connection = self.store().read().await?;
+        let open = design_rows::open_studies(&mut connection, id).await?;
+        drop(connection);
+        let open: Vec<&str> = open.iter().map(String::as_str).collect();
         self.cancel_all(&open).await
     }
 }
@@ -186,8 +188,20 @@ fn fits(there: usize, more: usize) -> Result<(), TooManyDesigns> {
 /// # Errors
 /// When the database can't be read.
 pub async fn designs_of(store: &Store, id: &str) -> Result<Vec<DesignRow>, StoreError> {
+    designs_within(store, id, design_rows::ALL).await
+}
+
+/// The designs of a sweep at these places, as [`designs_of`] has all.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn designs_within(
+    store: &Store,
+    id: &str,
+    places: Range<usize>,
+) -> Result<Vec<DesignRow>, StoreError> {
     let mut connection = store.read().await?;
-    design_rows::designs(&mut connection, id, design_rows::ALL).await
+    design_rows::designs(&mut connection, id, places).await
 }
 
 /// Standing of a sweep.
@@ -253,7 +267,7 @@ mod tests {
         }
         let refused = fits(MOST_DESIGNS, 2).map_err(|error| error.to_string());
         let told =
-            "the sweep has 10000 designs and would have 2 more; 10000 are the most of one sweep";
+            "the sweep has 100000 designs and would have 2 more; 100000 are the most of one sweep";
         assert_eq!(refused, Err(told.to_owned()));
     }
 }

@@ -31,7 +31,7 @@ pub fn comparison_csv() -> &'static str {
 #[cfg(test)]
 mod tests {
     use document::{Format, parse};
-    use documents::sweep::{Sweep, designs_of};
+    use documents::sweep::{MOST_SUBMITTED, Sweep, designs_of};
 
     use super::*;
 
@@ -40,9 +40,16 @@ mod tests {
         let refuse = |path: &str| Err(path.to_owned());
         let mut toml = parse(&document_toml(), Format::Toml).expect("is TOML");
         toml["name"] = "two walls".into();
-        let read = |value: &Value| Sweep::from_value(value, &refuse).expect("a valid sweep");
+        let read = |value: &Value| {
+            Sweep::from_value(value, MOST_SUBMITTED, &refuse).expect("a valid sweep")
+        };
         let sweep = read(&document());
         assert_eq!(read(&toml), sweep);
-        assert_eq!(designs_of(&sweep.base, &further()).expect("valid").len(), 1);
+        assert_eq!(
+            designs_of(&sweep.base, &further(), MOST_SUBMITTED)
+                .expect("valid")
+                .len(),
+            1
+        );
     }
 }

@@ -109,6 +109,8 @@ pub struct SweepEstimate {
     pub wall_s: Option<Forecast>,
     /// Largest memory of any design, bytes.
     pub peak_memory_bytes: u64,
+    /// Room that all designs take in the database, bytes.
+    pub database_bytes: u64,
 }
 
 /// Estimate of a design's cost.
@@ -195,6 +197,7 @@ impl SweepEstimate {
             },
             wall_s: wall_s(),
             peak_memory_bytes: estimates().map(|e| e.peak_memory_bytes).max().unwrap_or(0),
+            database_bytes: estimates().map(|e| e.database_bytes).sum(),
             designs,
         }
     }

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 use std::path::Path;
 
+use placement::compare::MOST_TOLD;
 use results::{Estimate, Forecast, StudyResult};
 use tokio::runtime::Runtime;
 
@@ -41,8 +42,9 @@ pub(crate) fn dry_run(name: &str, estimate: &Estimate) -> String {
     let _ = writeln!(text, "time       {time} on {} threads", estimate.threads);
     let _ = writeln!(
         text,
-        "memory     {} MB",
-        megabytes(estimate.peak_memory_bytes)
+        "memory     {} MB\ndatabase   {} more",
+        megabytes(estimate.peak_memory_bytes),
+        room(estimate.database_bytes)
     );
     let accuracy = &estimate.accuracy;
     let figure = |error: Option<f64>| error.map_or("unknown".to_owned(), |e| format!("{e:.3}"));
@@ -64,7 +66,7 @@ pub(crate) fn dry_run(name: &str, estimate: &Estimate) -> String {
 /// Returns all that `sweep --dry-run` prints.
 pub(crate) fn dry_sweep(name: &str, threads: usize, sweep: &SweepEstimate) -> String {
     let mut text = painted(HEADER, name.escape_debug()) + "\n\n";
-    for DesignEstimate { name, estimate } in &sweep.designs {
+    for DesignEstimate { name, estimate } in sweep.designs.iter().take(MOST_TOLD) {
         let time = estimate.wall_s.as_ref().map_or("unknown".to_owned(), range);
         let _ = writeln!(
             text,
@@ -74,13 +76,18 @@ pub(crate) fn dry_sweep(name: &str, threads: usize, sweep: &SweepEstimate) -> St
             estimate.solves.known
         );
     }
+    let others = sweep.designs.len().saturating_sub(MOST_TOLD);
+    if others > 0 {
+        let _ = writeln!(text, "and {others} others");
+    }
     let time = sweep.wall_s.as_ref().map_or("unknown".to_owned(), range);
     let _ = writeln!(
         text,
-        "\n{} designs: {} solves, {time} on {threads} threads, {} MB",
+        "\n{} designs: {} solves, {time} on {threads} threads, {} MB, and {} more of database",
         sweep.designs.len(),
         sweep.left.expected,
-        megabytes(sweep.peak_memory_bytes)
+        megabytes(sweep.peak_memory_bytes),
+        room(sweep.database_bytes)
     );
     text
 }
@@ -142,6 +149,15 @@ fn duration(seconds: f64) -> String {
 
 fn megabytes(bytes: u64) -> u64 {
     bytes / 1_000_000
+}
+
+/// Room on a disk, in the unit that reads best.
+fn room(bytes: u64) -> String {
+    match bytes as f64 {
+        b if b < 1e8 => format!("{:.1} MB", b / 1e6),
+        b if b < 1e9 => format!("{:.0} MB", b / 1e6),
+        b => format!("{:.1} GB", b / 1e9),
+    }
 }
 
 /// Returns a line that says what a study is expected to take now, and why.

@@ -13,7 +13,7 @@ use document::fault::Fault;
 use document::{Format, MAX_BYTES, parse};
 use documents::scene_question::SceneQuestion;
 use documents::study::plan::{Estimable, PlannedStudy};
-use documents::sweep::Sweep;
+use documents::sweep::{MOST_SUBMITTED, Sweep};
 use http_body_util::BodyExt;
 use serde_json::Value;
 use tokio::sync::Semaphore;
@@ -146,7 +146,7 @@ impl<S: Send + Sync> FromRequest<S> for SweepBody {
 
     async fn from_request(request: Request, state: &S) -> Result<Self, Problem> {
         let document = Document::from_request(request, state).await?;
-        let sweep = document.checked(|value| Sweep::from_value(value, &no_files));
+        let sweep = document.checked(|value| Sweep::from_value(value, MOST_SUBMITTED, &no_files));
         sweep.await.map(|sweep| Self { sweep })
     }
 }

@@ -9,7 +9,7 @@ use axum::Json;
 use axum::extract::State;
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
-use documents::sweep::{Design, MOST_DESIGNS, designs_of};
+use documents::sweep::{Design, MOST_DESIGNS, MOST_SUBMITTED, designs_of};
 use futures_util::{StreamExt, TryStreamExt, stream};
 use placement::compare::MOST_TOLD;
 use serde::Deserialize;
@@ -235,7 +235,7 @@ async fn extend_sweep(
     let outdated = |cause| Problem::new(StatusCode::CONFLICT, cause);
     let base = stored_base(&sweep).map_err(outdated)?;
     let designs = document
-        .checked(move |value| designs_of(&base, value))
+        .checked(move |value| designs_of(&base, value, MOST_SUBMITTED))
         .await?;
     admit_all(&state, &designs).await?;
     let extended = state.queue.extend_sweep(&sweep, designs).await;

@@ -29,7 +29,10 @@ pub async fn insert(
     result: &StudyResult,
 ) -> Result<(), StoreError> {
     let mut document = encode(RESULT, result)?;
-    let content = content_hash::of(result)?;
+    let content = match content_hash::of_text(&document, result)? {
+        Some(content) => content,
+        None => content_hash::of(result)?,
+    };
     let map = take_map(&mut document, result);
     let taken = map.as_ref().map(|(place, map)| Taken {
         place: *place,

@@ -250,6 +250,22 @@ pub async fn openness(
     })
 }
 
+/// Studies of a sweep that haven't ended, in the order of their designs, of which none is read.
+///
+/// # Errors
+/// When the database can't be read.
+pub async fn open_studies(
+    connection: &mut SqliteConnection,
+    sweep: &str,
+) -> Result<Vec<String>, StoreError> {
+    let query = "select study from sweep_designs join studies on studies.id = study
+                 where sweep = ? and state in ('queued', 'running') order by ordinal";
+    Ok(sqlx::query_scalar(query)
+        .bind(sweep)
+        .fetch_all(connection)
+        .await?)
+}
+
 /// The sweep that a study is a design of.
 ///
 /// # Errors
@@ -308,6 +324,8 @@ mod tests {
         // 0 to 12 with an overlap, a pause, and 4 s since 100; what waits isn't at work.
         assert_eq!(found.worked_s, 16.0);
         assert_eq!(State::ALL.map(|state| found.count(state)), [1, 1, 2, 0, 0]);
+        let open = open_studies(&mut tx, &sweep).await.expect("reads");
+        assert_eq!(open.len(), 2);
         let points = (found.points_total, found.points_done);
         assert_eq!((points, found.finished), ((None, 4), None));
 

@@ -309,7 +309,7 @@ async fn a_part_of_the_designs_and_the_best_of_them_are_told_where_that_is_asked
         address(&sweep, "?limit=0"),
         address(&sweep, "?limit=1001"),
         address(&sweep, "?from=-1"),
-        address(&sweep, "?from=10001"),
+        address(&sweep, "?from=100001"),
         format!("{comparison}&best=0"),
         format!("{comparison}&best=all"),
     ] {

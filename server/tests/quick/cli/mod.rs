@@ -75,6 +75,11 @@ fn a_study_runs_and_leaves_its_result_in_every_form_that_was_asked_for() {
     // What it was expected to take stands beside what it took.
     assert_eq!(result["estimate"]["solves"]["left"]["expected"], 31);
     assert!(text(&first.stderr).contains("estimated before: 31 solves"));
+    let empty_bytes = 320e3;
+    let database = std::fs::metadata(folder.path().join("strainsite.db")).expect("a database");
+    let expected = result["estimate"]["database_bytes"].as_f64();
+    let share = (database.len() as f64 - empty_bytes) / expected.expect("a room");
+    assert!((0.75..1.25).contains(&share), "{share} of {expected:?}");
 
     let dry = strainsite(folder.path(), &["run", study, "--dry-run", "--json", "-"]);
     assert_eq!(dry.status.code(), Some(0), "{}", text(&dry.stderr));

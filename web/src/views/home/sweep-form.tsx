@@ -127,6 +127,7 @@ function Estimated({ estimate }: { estimate: SweepEstimate }) {
     ["Solves left", solves],
     ["Time, one design after the other", expectedTime(estimate)],
     ["Peak memory", bytes(estimate.peak_memory_bytes)],
+    ["Database", `${bytes(estimate.database_bytes)} more`],
   ];
   const unlikely = new Set(designs.flatMap((design) => design.estimate.unlikely ?? []));
   const reasons = new Set(designs.flatMap((design) => design.estimate.reasons));

@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 
 use clap::Args;
 use documents::study::Study;
-use documents::sweep::{self as placed, Design, Sweep as Plan, sweep_of, typed_grid};
+use documents::sweep::{self as placed, Design, MOST_DESIGNS, Sweep as Plan, sweep_of, typed_grid};
 use placement::points::worker_threads::in_parallel;
 use serde_json::{Map, json};
 use tokio::runtime::Runtime;
@@ -122,7 +122,7 @@ impl Asked {
         }
         let grid = typed_grid(&self.grid).map_err(Failure::Input)?;
         let document = json!({"grid": grid});
-        placed::designs_of(base, &document).map_err(Failure::Input)
+        placed::designs_of(base, &document, MOST_DESIGNS).map_err(Failure::Input)
     }
 }
 

@@ -16,11 +16,12 @@ use tokio::runtime::Handle;
 use crate::cli::terminal::exit::Failure;
 use crate::cli::terminal::progress::say_failed;
 use service::engine::{End, Engine};
+use service::forecast::many_designs::TOGETHER;
 use service::forecast::memory_bytes;
 use store::StoreError;
 use store::queue::design_rows::DesignRow;
 use store::queue::turns;
-use tasks::grouping::{grouped, keys, workloads};
+use tasks::grouping::{Groups, workloads};
 
 /// Crew that runs designs.
 pub(crate) struct Crew<'c> {
@@ -38,11 +39,19 @@ impl Crew<'_> {
     pub fn run(&self, designs: &[DesignRow], bar: &ProgressBar) -> Result<bool, Failure> {
         let open: Vec<&DesignRow> = designs.iter().filter(|d| !d.study.ended()).collect();
         let solver = self.engine.solver.as_ref();
-        let Some(works) = workloads(&open, solver, self.engine.threads, self.stop) else {
-            return Ok(false);
-        };
-        let groups = grouped(works.iter().map(keys));
-        let at_once = self.at_once(&works, groups.len());
+        let (mut groups, mut largest_bytes) = (Groups::default(), 1);
+        for some in open.chunks(TOGETHER) {
+            let Some(works) = workloads(some, solver, self.engine.threads, self.stop) else {
+                return Ok(false);
+            };
+            for work in &works {
+                groups.add(work.iter().flat_map(Workload::keys));
+                let needed = work.as_ref().map_or(1, |work| memory_bytes(work, 1));
+                largest_bytes = needed.max(largest_bytes);
+            }
+        }
+        let groups = groups.into_groups();
+        let at_once = self.at_once(largest_bytes, groups.len());
         let progress = Progress::new(bar, designs.len(), open.len());
         let (next, failed) = (AtomicUsize::new(0), Mutex::new(None));
         let work = |threads: usize| {
@@ -84,11 +93,9 @@ impl Crew<'_> {
         }
     }
 
-    /// Designs that fit beside each other.
-    fn at_once(&self, works: &[Option<Workload>], groups: usize) -> usize {
-        let needed = works.iter().flatten().map(|work| memory_bytes(work, 1));
-        let largest = needed.max().unwrap_or(1).max(1);
-        let fit = usize::try_from(self.memory_bytes / largest).unwrap_or(usize::MAX);
+    /// Designs that fit beside each other, of which the largest takes so much memory, bytes.
+    fn at_once(&self, largest_bytes: u64, groups: usize) -> usize {
+        let fit = usize::try_from(self.memory_bytes / largest_bytes).unwrap_or(usize::MAX);
         self.engine.threads.min(groups).min(fit).max(1)
     }
 

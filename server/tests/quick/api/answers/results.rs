@@ -270,10 +270,11 @@ async fn the_map_is_served_layer_by_layer() {
         .expect("an index");
     let total = both["total"][2 * 7 + 3].as_f64().expect("an index");
     let total_there = centre.expect("P3")["total"][2].as_f64();
-    assert!((total - total_there.expect("an index")).abs() < 1e-9);
-    // The same numbers through the same formula; only the summation of the strain differs.
+    // A map keeps seven digits.
+    assert!((total - total_there.expect("an index")).abs() < 5e-7);
+    // The same numbers through the same formula.
     assert!(
-        (at_centre - expected).abs() < 1e-9,
+        (at_centre - expected).abs() < 5e-7,
         "{at_centre} against {expected}"
     );
     let p3 = |location: &&Value| location["name"] == "P3";

@@ -43,6 +43,7 @@ function Cost({ check }: { check: DraftCheck }) {
         facts={[
           ["Expected time", expectedTime(estimate)],
           ["Memory", bytes(estimate.peak_memory_bytes)],
+          ["Database", `${bytes(estimate.database_bytes)} more`],
           ["Solves", known > 0 ? `${solves}, ${integer(known)} stored` : solves],
         ]}
       />

@@ -1,8 +1,11 @@
 //! Forecast of a study's cost on this machine, with what this database knows.
 
+pub mod many_designs;
+mod measured_machine;
+
 use std::collections::HashSet;
-use std::num::NonZeroUsize;
 use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 use documents::study::Study;
 use documents::study::plan::{Estimable, PlanError, PlannedStudy};
@@ -10,8 +13,11 @@ use documents::sweep::Sweep;
 use fem_client::scene::Level;
 use fem_client::solver::Solver;
 use placement::estimate::{Machine, NextLevel, Pace, Workload, estimate};
+use placement::points::worker_threads::in_parallel;
 use results::{Estimate, Surer};
 
+use self::many_designs::{ManyDesigns, TOGETHER};
+use self::measured_machine::{measured, solves_at_once};
 use crate::wire::sweep_wire::{DesignEstimate, SweepEstimate};
 use store::points::evaluations;
 use store::queue::study_rows;
@@ -68,14 +74,13 @@ pub async fn pace(
     planned: &Arc<PlannedStudy>,
 ) -> Result<Pace, ForecastError> {
     let work = workload(solver, planned, Workload::of).await?;
-    let (mut known, mut samples) = (HashSet::new(), Vec::new());
+    let mut known = HashSet::new();
     if let Some(store) = store {
         let keys: Vec<&str> = work.keys().collect();
         let mut connection = store.read().await?;
         known = evaluations::known(&mut connection, &keys).await?;
-        samples = evaluations::samples(&mut connection).await?;
     }
-    let machine = Machine::measured(solves_at_once(threads), &samples, solver.as_ref());
+    let machine = measured(store, solver.as_ref(), threads).await?;
     Ok(Pace::new(work, known, machine))
 }
 
@@ -98,10 +103,10 @@ pub async fn forecast_of(
     let work = Workload::counted(&study, solver.as_ref())?;
     let mut connection = store.read().await?;
     let solved = study_rows::points_of_twins(&mut connection, &study.spec_sha256()).await?;
-    let known = work.keys().take(solved).map(str::to_owned).collect();
-    let samples = evaluations::samples(&mut connection).await?;
-    let machine = Machine::measured(solves_at_once(threads), &samples, solver.as_ref());
-    Ok(estimate(&work, &known, &machine))
+    let known: HashSet<&str> = work.keys().take(solved).collect();
+    drop(connection);
+    let machine = measured(Some(store), solver.as_ref(), threads).await?;
+    Ok(estimate(&work, &|key| known.contains(key), &machine))
 }
 
 /// Estimates what a surer answer costs than that of a study on a level: the next one. `None` at the top of the ladder.
@@ -133,11 +138,6 @@ pub(crate) async fn forecast_next(
     ))
 }
 
-fn solves_at_once(threads: usize) -> usize {
-    let cores = std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
-    threads.min(cores)
-}
-
 /// Plans a study. A large design takes a second, which the runtime's threads haven't.
 ///
 /// # Errors
@@ -160,14 +160,11 @@ async fn workload(
 }
 
 /// Lists what a design asks of a solver; a large one is counted, and shares points with those alone that have its cut point.
-async fn design_workload(
-    solver: &Arc<dyn Solver>,
-    study: &Study,
-) -> Result<Workload, ForecastError> {
-    if Estimable::is_counted(study) {
-        return Ok(Workload::counted(study, solver.as_ref())?);
+fn design_workload(solver: &dyn Solver, study: &Study) -> Result<Workload, PlanError> {
+    match Estimable::is_counted(study) {
+        true => Workload::counted(study, solver),
+        false => Ok(Workload::of(&PlannedStudy::new(study.clone())?, solver)),
     }
-    workload(solver, &plan_study(study).await?, Workload::of).await
 }
 
 /// Estimates what the designs of a sweep would cost, one after the other: what one of them solves is known to those after it.
@@ -180,57 +177,37 @@ pub async fn forecast_sweep(
     threads: usize,
     sweep: &Sweep,
 ) -> Result<SweepEstimate, ForecastError> {
-    let (mut known, mut samples, mut designs) = (HashSet::new(), None, Vec::new());
-    for design in &sweep.designs {
-        let work = design_workload(solver, &design.study).await?;
-        if let Some(store) = store {
-            let keys: Vec<&str> = work.keys().collect();
-            let mut connection = store.read().await?;
-            known.extend(evaluations::known(&mut connection, &keys).await?);
-            if samples.is_none() {
-                samples = Some(evaluations::samples(&mut connection).await?);
-            }
-        }
-        let samples = samples.as_deref().unwrap_or_default();
-        let machine = Machine::measured(solves_at_once(threads), samples, solver.as_ref());
-        designs.push(DesignEstimate {
-            name: design.name.clone(),
-            estimate: estimate(&work, &known, &machine),
-        });
-        known.extend(work.keys().map(str::to_owned));
+    let (mut many, mut designs) = (ManyDesigns::new(store, solver, threads), Vec::new());
+    for some in sweep.designs.chunks(TOGETHER) {
+        let studies: Vec<Study> = some.iter().map(|design| design.study.clone()).collect();
+        let solver = solver.clone();
+        let planned = move || {
+            let of = |i: usize| design_workload(solver.as_ref(), &studies[i]);
+            let never = AtomicBool::new(false);
+            let all = in_parallel(studies.len(), threads, &never, of).unwrap_or_default();
+            all.into_iter()
+                .map(|work| work.map(Some))
+                .collect::<Result<Vec<_>, _>>()
+        };
+        let works = tokio::task::spawn_blocking(planned).await;
+        let works = works.map_err(|_| ForecastError::Broken)??;
+        let foreseen = many.next(&works).await?.into_iter().flatten();
+        designs.extend(
+            some.iter()
+                .zip(foreseen)
+                .map(|(design, foreseen)| DesignEstimate {
+                    name: design.name.clone(),
+                    estimate: foreseen.estimate,
+                }),
+        );
     }
     Ok(SweepEstimate::of(designs))
-}
-
-/// Times that designs are expected to take, s, one after the other, and which of their points a database has. A time is none where a design has no plan, or nothing is known of the solver.
-///
-/// # Errors
-/// When the database can't be read.
-pub async fn forecast_designs(
-    store: &Store,
-    solver: &Arc<dyn Solver>,
-    threads: usize,
-    works: &[Option<Workload>],
-) -> Result<(Vec<Option<f64>>, HashSet<String>), StoreError> {
-    let mut connection = store.read().await?;
-    let keys: Vec<&str> = works.iter().flatten().flat_map(Workload::keys).collect();
-    let there = evaluations::known(&mut connection, &keys).await?;
-    let samples = evaluations::samples(&mut connection).await?;
-    let machine = Machine::measured(solves_at_once(threads), &samples, solver.as_ref());
-    let mut known = there.clone();
-    let expected = works.iter().map(|work| {
-        let work = work.as_ref()?;
-        let estimated = estimate(work, &known, &machine);
-        known.extend(work.keys().map(str::to_owned));
-        estimated.wall_s.map(|wall_s| wall_s.expected)
-    });
-    Ok((expected.collect(), there))
 }
 
 /// Returns what a study takes of memory with so many solves at once, bytes.
 pub fn memory_bytes(work: &Workload, threads: usize) -> u64 {
     let machine = Machine::new(solves_at_once(threads));
-    estimate(work, &HashSet::new(), &machine).peak_memory_bytes
+    estimate(work, &|_| false, &machine).peak_memory_bytes
 }
 
 /// Refuses a study that would take more memory than it may, before anything of it is allocated.
