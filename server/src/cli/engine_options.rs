@@ -6,7 +6,7 @@ use clap::Args;
 
 use crate::config::minutes;
 use tasks::engines::engine_name::EngineSettings;
-use tasks::gathering::Kept;
+use tasks::task_folder::Kept;
 
 /// Options of engines.
 #[derive(Debug, Clone, Args)]

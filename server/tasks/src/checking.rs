@@ -11,16 +11,17 @@ use sqlx::{Connection, SqliteConnection};
 use crate::task_folder::Task;
 use service::study_document::stored_plan;
 use store::StoreError;
+use store::merging::parts::Taken;
 use store::merging::target::Merging;
 use store::merging::whole_file::WholeFile;
 use store::points::evaluations;
 use store::queue::study_rows::{self, State};
 
 /// Reason to doubt what a file has: designs of another task, or a point has other bits where it is solved again here. That is the first point of a design, of a part any one. A point that is
-/// known here is compared when the file is taken.
+/// known here is compared when the file is taken. Without such a point nothing new is believed of what is taken.
 pub(crate) async fn doubt(
     head: &mut Merging,
-    whole: &WholeFile,
+    (whole, taken): (&WholeFile, Taken),
     (task, points): (&Task, Option<&[PartPoint]>),
     solver: &Arc<dyn Solver>,
 ) -> Result<Option<String>, StoreError> {
@@ -38,10 +39,11 @@ pub(crate) async fn doubt(
     Ok(match compared? {
         Compared::Alike => None,
         Compared::Otherwise(because) => Some(because),
-        Compared::Nothing if new_points == 0 => None,
-        Compared::Nothing => Some(
-            "it has points, and none of them is the first of a design or of its part".to_owned(),
-        ),
+        Compared::Nothing { ends } => {
+            let is_new = ends || (taken == Taken::Solved && new_points > 0);
+            let because = "it has points or results, and no first point of a design or of its part";
+            is_new.then(|| because.to_owned())
+        }
     })
 }
 
@@ -51,8 +53,8 @@ enum Compared {
     Alike,
     /// The point is another one here, a sentence.
     Otherwise(String),
-    /// No such point is in the file.
-    Nothing,
+    /// No such point is in the file, which may have ends of designs that haven't ended here.
+    Nothing { ends: bool },
 }
 
 async fn compared(
@@ -61,7 +63,7 @@ async fn compared(
     task: &Task,
     solver: &Arc<dyn Solver>,
 ) -> Result<Compared, StoreError> {
-    let mut found_any = Compared::Nothing;
+    let (mut is_alike, mut ends) = (false, false);
     for id in &task.studies {
         let Some(study) = study_rows::find(head, id).await? else {
             return Ok(unknown(id));
@@ -69,6 +71,8 @@ async fn compared(
         if study.state() == State::Done {
             continue;
         }
+        let there = study_rows::find(theirs, id).await?;
+        ends |= there.is_some_and(|there| there.state() == State::Done);
         let planning = solver.clone();
         let first = tokio::task::spawn_blocking(move || {
             FirstPoint::of(&stored_plan(&study).ok()?, planning.as_ref())
@@ -81,7 +85,7 @@ async fn compared(
         let Some(found) = found else {
             continue;
         };
-        found_any = Compared::Alike;
+        is_alike = true;
         if evaluations::find(head, &keys)
             .await?
             .pop()
@@ -97,7 +101,10 @@ async fn compared(
         let is_alike = again.await.is_ok_and(|own| own == found.outcome.ok());
         return Ok(judged(is_alike, "the first point", id));
     }
-    Ok(found_any)
+    Ok(match is_alike {
+        true => Compared::Alike,
+        false => Compared::Nothing { ends },
+    })
 }
 
 /// Compares a point of a part that isn't known here, whichever chance chooses.
@@ -118,7 +125,7 @@ async fn compared_part(
     let new: Vec<&PartPoint> = points.iter().filter(is_new).collect();
     let Some(point) = new.get(any_of(new.len())).map(|point| (*point).clone()) else {
         return Ok(match there.is_empty() {
-            true => Compared::Nothing,
+            true => Compared::Nothing { ends: false },
             false => Compared::Alike,
         });
     };

@@ -2,14 +2,13 @@
 
 use std::sync::Arc;
 
-use clap::ValueEnum;
 use fem_client::solver::Solver;
 use placement::sharing::{Part, PartPoint};
 use serde::Serialize;
 
 use crate::checking::{doubt, part_points};
 use crate::task_error::TaskError;
-use crate::task_folder::{Task, TaskFolder, Tasks};
+use crate::task_folder::{Kept, Task, TaskFolder, Tasks};
 use store::StoreError;
 use store::merging::parts::{Merged, Taken};
 use store::merging::target::Merging;
@@ -37,23 +36,11 @@ pub struct Gathered {
     pub refused: Option<String>,
 }
 
-/// Extent of what is kept of what a task hands in.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
-pub enum Kept {
-    /// Points and results
-    #[default]
-    Everything,
-    /// Results alone, a quarter of the room: what a design needs that hasn't ended is solved again
-    Results,
-}
-
-impl Kept {
-    /// Part of a task's file that is taken: of a part of a study there are points alone.
-    fn taken(self, task: &Task) -> Taken {
-        match (self, task.part) {
-            (Self::Results, None) => Taken::Answers,
-            (Self::Everything, _) | (_, Some(_)) => Taken::Solved,
-        }
+/// Part of a task's file that is taken: of a part of a study there are points alone.
+fn part_of(task: &Task, kept: Kept) -> Taken {
+    match (kept, task.part) {
+        (Kept::Results, None) => Taken::Answers,
+        (Kept::Everything, _) | (_, Some(_)) => Taken::Solved,
     }
 }
 
@@ -158,10 +145,11 @@ async fn merged(
         ) => return Ok(Err(error.to_string())),
         Err(error) => return Err(error),
     };
-    if let Some(because) = doubt(head, &whole, asked, solver).await? {
+    let taken = part_of(asked.0, kept);
+    if let Some(because) = doubt(head, (&whole, taken), asked, solver).await? {
         return Ok(Err(because));
     }
-    match head.take(&whole, kept.taken(asked.0)).await {
+    match head.take(&whole, taken).await {
         Ok(merged) => Ok(Ok(merged)),
         Err(error @ StoreError::Merge { .. }) => Ok(Err(error.to_string())),
         Err(error) => Err(error),

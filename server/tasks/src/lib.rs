@@ -5,6 +5,7 @@
 //! - [`task_folder`]: what lies in the folder of a sweep's tasks
 //! - [`grouping`]: designs that share points
 //! - [`packing`]: what a sweep lacks, packed into tasks and written there
+//! - [`handing_in`]: what a machine hands in of its task
 //! - `checking`: a point of each task is solved again here
 //! - [`gathering`]: takes in what was done
 //! - [`engines`]: Slurm, or a command of the user's
@@ -17,6 +18,7 @@ mod checking;
 pub mod engines;
 pub mod gathering;
 pub mod grouping;
+pub mod handing_in;
 pub mod packing;
 pub mod rounds;
 pub mod task_error;

@@ -10,7 +10,7 @@ use tokio::runtime::Handle;
 
 use crate::grouping::{Groups, workloads};
 use crate::task_error::TaskError;
-use crate::task_folder::{Task, TaskFolder, Tasks};
+use crate::task_folder::{Kept, Task, TaskFolder, Tasks};
 use service::engine::Engine;
 use service::forecast::many_designs::{Foreseen, ManyDesigns, TOGETHER};
 use service::queue::sweeps::designs_within;
@@ -201,15 +201,16 @@ pub fn write(
     runtime: &Handle,
     head: Merging,
     dir: &Path,
-    tasks: (String, String, Vec<Given>),
+    (version, sweep, kept): (String, String, Kept),
+    given: Vec<Given>,
 ) -> Result<(TaskFolder, Tasks, PathBuf), TaskError> {
-    let (version, sweep, given) = tasks;
     let folder = TaskFolder::new(dir)?;
     runtime.block_on(write_databases(head, &folder, &given))?;
     let program = folder.with_program()?;
     let tasks = Tasks {
         version,
         sweep,
+        kept,
         tasks: given.into_iter().map(|given| given.task).collect(),
     };
     folder.write(&tasks)?;

@@ -9,6 +9,7 @@ use std::fs::{self, DirBuilder};
 use std::os::unix::fs::DirBuilderExt;
 use std::path::{Path, PathBuf};
 
+use clap::ValueEnum;
 use placement::sharing::Part;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
@@ -23,8 +24,22 @@ pub struct Tasks {
     pub version: String,
     /// Identifier of the sweep.
     pub sweep: String,
+    /// Extent of what machines hand in.
+    #[serde(default)]
+    pub kept: Kept,
     /// The tasks, of which the first has number 1.
     pub tasks: Vec<Task>,
+}
+
+/// Extent of what is kept of what a task solves.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, ValueEnum)]
+#[serde(rename_all = "kebab-case")]
+pub enum Kept {
+    /// Points and results
+    #[default]
+    Everything,
+    /// Results alone, a quarter of the room: what a design needs that hasn't ended is solved again
+    Results,
 }
 
 /// Designs that one machine solves, or a part of the points of one.

@@ -23,10 +23,10 @@ use tokio::sync::Notify;
 use tokio::task::JoinSet;
 
 use crate::engines::engine_name::{EngineName, EngineSettings};
-use crate::gathering::Kept;
 use crate::rounds::Rounds;
 use crate::rounds::head::{Head, Wish};
 use crate::task_error::TaskError;
+use crate::task_folder::Kept;
 use away_report::{AwaySweep, EngineList, EngineView, Reports, TaskCounts, TaskReport};
 use sweep_head::SweepHead;
 

@@ -19,10 +19,10 @@ use fem_client::solver::Solver;
 use tokio::runtime::Handle;
 
 use crate::engines::{Engine, Standing};
-use crate::gathering::{Kept, gather};
+use crate::gathering::gather;
 use crate::packing::write;
 use crate::task_error::TaskError;
-use crate::task_folder::{Refusal, TaskFolder};
+use crate::task_folder::{Kept, Refusal, TaskFolder};
 use head::{Head, Told, Wish};
 use round::{Round, place};
 
@@ -115,8 +115,8 @@ impl Rounds<'_> {
         if unfinished.exists() {
             fs::remove_dir_all(&unfinished).map_err(failed)?;
         }
-        let tasks = (self.solver.version(), self.sweep.to_owned(), given);
-        write(self.runtime, self.head.merging()?, &unfinished, tasks)?;
+        let of = (self.solver.version(), self.sweep.to_owned(), self.kept);
+        write(self.runtime, self.head.merging()?, &unfinished, of, given)?;
         let finished = place(&self.folder, number);
         fs::rename(&unfinished, &finished).map_err(failed)?;
         let (folder, tasks) = TaskFolder::open(&finished)?;

@@ -61,7 +61,7 @@ pub async fn stored_runs(database: &Path) -> i64 {
     rows(database, "select count(*) from model_runs").await
 }
 
-async fn rows(database: &Path, counting: &'static str) -> i64 {
+pub async fn rows(database: &Path, counting: &'static str) -> i64 {
     use sqlx::Connection;
     let options = SqliteConnectOptions::new()
         .filename(database)

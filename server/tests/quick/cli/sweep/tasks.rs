@@ -8,7 +8,7 @@ use serde_json::Value;
 use super::{contents, draft};
 use crate::cli::db::merging::poison;
 use crate::numerics::{OTHER, has_the_instructions};
-use crate::program::{command, stored_points, strainsite, text, wait_for_points};
+use crate::program::{command, rows, stored_points, strainsite, text, wait_for_points};
 
 /// Walls of three designs, each a task of its own.
 const GRID: [&str; 2] = ["--grid", "geometry.wall_mm=2.6,3,3.4"];
@@ -90,15 +90,52 @@ async fn what_tasks_hand_in_is_what_a_sweep_solves_and_what_is_poisoned_is_refus
     let own = contents(&folder.path().join("local.db")).await;
     assert_eq!(contents(&ours).await, own);
     let results = ["--db", "lean.db", "--keep", "results", "--json", "-"];
-    let results = gathered(
-        &run(&[&["tasks", "gather", "tasks"], &results[..]].concat()),
-        0,
-    );
-    assert_eq!(results[2]["taken"]["ended"], 1, "{results}");
+    let gather = [&["tasks", "gather", "tasks"], &results[..]].concat();
+    for ended in [1, 0] {
+        let results = gathered(&run(&gather), 0);
+        assert_eq!(results[2]["taken"]["ended"], ended, "{results}");
+    }
     assert_eq!(contents(&lean).await, own);
     assert_eq!(stored_points(&lean).await, 0);
     let size = |database: &Path| std::fs::metadata(database).expect("is there").len();
     assert!(2 * size(&lean) < size(&ours));
+    results_alone_are_handed_in_with_a_point_to_judge_them_by(folder.path(), &own).await;
+}
+
+/// Hands in the results of three designs, which are known by now.
+async fn results_alone_are_handed_in_with_a_point_to_judge_them_by(
+    folder: &Path,
+    expected: &[String],
+) {
+    let run = |arguments: &[&str]| strainsite(folder, arguments);
+    let at = |name: &str| folder.join(name);
+    let to = ["--dir", "lean", "--keep", "results", "--db", "fresh.db"];
+    let made = run(&[&["tasks", "make", draft(folder)], &to[..], &GRID].concat());
+    assert_eq!(made.status.code(), Some(0), "{}", text(&made.stderr));
+    std::fs::copy(at("fresh.db"), at("unsolved.db")).expect("copies");
+    for _ in 0..2 {
+        // Whole already, it is handed in once more.
+        let ran = run(&["tasks", "run", "lean", "1"]);
+        assert_eq!(ran.status.code(), Some(0), "{}", text(&ran.stderr));
+        let points = "select count(*) from evaluations";
+        assert_eq!(rows(&at("lean/done/1.db"), points).await, 1);
+    }
+    std::fs::copy(at("lean/done/1.db"), at("good.db")).expect("copies");
+    let gather = |database: &str, code| {
+        let into = ["--keep", "results", "--db", database, "--json", "-"];
+        let gathering = run(&[&["tasks", "gather", "lean"], &into[..]].concat());
+        gathered(&gathering, code)
+    };
+    poison(&at("lean/done/1.db")).await;
+    let refused = gather("fresh.db", 3)[0]["refused"].to_string();
+    assert!(refused.contains("other bits"), "{refused}");
+    std::fs::rename(at("good.db"), at("lean/done/1.db")).expect("renames");
+    assert_eq!(gather("fresh.db", 0)[0]["taken"]["ended"], 3);
+    assert_eq!(contents(&at("fresh.db")).await, expected);
+    // Results without such a point aren't believed.
+    std::fs::copy(at("fresh.db"), at("lean/done/1.db")).expect("copies");
+    let refused = gather("unsolved.db", 3)[0]["refused"].to_string();
+    assert!(refused.contains("no first point"), "{refused}");
 }
 
 #[tokio::test]

@@ -17,7 +17,7 @@ use crate::cli::terminal::signals::stop_flag;
 use crate::config::{Config, minutes};
 use store::merging::target::Merging;
 use tasks::packing::{Packer, write};
-use tasks::task_folder::{Task, TaskFolder, Tasks};
+use tasks::task_folder::{Kept, Task, TaskFolder, Tasks};
 
 /// Write the designs that a sweep still lacks into a folder
 #[derive(Debug, Args)]
@@ -30,6 +30,9 @@ pub(super) struct Make {
     /// Time that a task should take on this machine's threads, minutes
     #[arg(long, value_name = "N", default_value = "10", value_parser = minutes)]
     minutes: f64,
+    /// Part that machines hand in of what they solve
+    #[arg(long, value_enum, value_name = "PART", default_value = "everything")]
+    keep: Kept,
     #[command(flatten)]
     config: Config,
     #[command(flatten)]
@@ -65,20 +68,22 @@ impl Make {
             )));
         }
         let (there, stop) = (self.config.memory_bytes(), stop_flag(&runtime)?);
-        let tasks = with_engine(&runtime, &self.config, &self.solver, |engine| {
-            let sweep = self.asked.stored(&runtime, engine, plan.as_ref(), there)?;
-            let packer = Packer {
-                runtime: runtime.handle(),
-                engine,
-                minutes: self.minutes,
-                stop: &stop,
-            };
-            let given = packer.pack(&sweep.id)?;
-            Ok((engine.solver.version(), sweep.id, given))
-        })?;
+        let (version, sweep, given) =
+            with_engine(&runtime, &self.config, &self.solver, |engine| {
+                let sweep = self.asked.stored(&runtime, engine, plan.as_ref(), there)?;
+                let packer = Packer {
+                    runtime: runtime.handle(),
+                    engine,
+                    minutes: self.minutes,
+                    stop: &stop,
+                };
+                let given = packer.pack(&sweep.id)?;
+                Ok((engine.solver.version(), sweep.id, given))
+            })?;
         let head = runtime.block_on(Merging::open(&self.config.db));
         let head = head.map_err(Failure::other)?;
-        let (folder, tasks, program) = write(runtime.handle(), head, &self.dir, tasks)?;
+        let of = (version, sweep, self.keep);
+        let (folder, tasks, program) = write(runtime.handle(), head, &self.dir, of, given)?;
         self.tell(&folder, &program, &tasks)
     }
 

@@ -17,10 +17,10 @@ use crate::cli::terminal::progress::{progress_bar, show};
 use crate::cli::terminal::signals::stop_flag;
 use crate::config::Work;
 use service::queue::recover;
-use store::file::copies;
 use store::queue::design_rows::DesignRow;
 use store::queue::study_rows;
 use store::{Store, StoreError};
+use tasks::handing_in::hand_in;
 use tasks::task_folder::{Refusal, Task, TaskFolder, Tasks};
 
 /// Do a task on this machine
@@ -74,9 +74,8 @@ impl Run {
             Failure::Other(format!("{} can't be copied: {error}", begun.display()))
         })?;
         let solved = self.solve(&runtime, &own, task)?;
-        runtime
-            .block_on(copies::hand_in(&own, &target))
-            .map_err(Failure::other)?;
+        let solver = self.solver.solver().map_err(Failure::other)?;
+        runtime.block_on(hand_in(&own, &target, (task, tasks.kept), &solver))?;
         folder.accept(self.number);
         self.tell(&solved, task, &target)
     }

@@ -14,8 +14,8 @@ use crate::cli::terminal::paint::{BAD, GOOD, painted};
 use crate::cli::terminal::progress::{count, counting_bar};
 use crate::cli::terminal::report::next_steps::shell_word;
 use store::merging::target::Merging;
-use tasks::gathering::{Gathered, Kept, gather};
-use tasks::task_folder::TaskFolder;
+use tasks::gathering::{Gathered, gather};
+use tasks::task_folder::{Kept, TaskFolder};
 
 /// Take in what was handed in
 #[derive(Debug, Args)]
