@@ -150,7 +150,8 @@ def test_maps_are_the_services(study: Study, service: Service, result: Result) -
     # The inner surface above the contact centre is where P3 is.
     middle = result.map("y", "P3")
     row, column = np.argmin(np.abs(middle.phi_deg)), np.argmin(np.abs(middle.theta_deg))
-    assert middle.strain[row, column] == pytest.approx(result.cut_point.locations[2].strain_y, rel=1e-9)
+    # A map keeps seven digits.
+    assert middle.strain[row, column] == pytest.approx(result.cut_point.locations[2].strain_y, rel=5e-7)
 
 
 def test_a_map_that_is_not_there_says_what_is(study: Study, result: Result, partly_failed: Study) -> None:
@@ -178,7 +179,8 @@ def test_sections_and_rings_are_the_services(study: Study, service: Service, res
     answer = rest(service, study, "sections", input="P3").json()
     assert [node.strain_x for node in sections.nodes] == [tuple(node["strain_x"]) for node in answer["nodes"]]
     (means,) = [node for node in sections.nodes if node.cut_point]
-    assert np.array_equal(means.strain_y, result.map("y").strain.ravel())
+    # A map keeps seven digits.
+    np.testing.assert_allclose(result.map("y").strain.ravel(), means.strain_y, rtol=5e-7)
     displacements = np.array([node.displacement_mm for node in sections.nodes])
     assert displacements.shape == (5, 11 * 21, 3)
     # The deeper the ground at the centre, the higher it lifts the crown.
