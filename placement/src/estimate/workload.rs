@@ -70,8 +70,6 @@ pub(crate) struct Stage {
     pub scorings: usize,
     /// Scatter of contacts as scores take it, where they differ.
     pub scatter: Option<Scatter>,
-    /// Layouts that the result tells of.
-    pub told: usize,
     /// Layouts that a search looks at by each criterion, and its places.
     pub searched: (f64, usize),
     /// Layouts whose forces are learnt from a rig's runs.
@@ -246,10 +244,6 @@ impl Workload {
                 },
                 scatter: (!study.layouts.contacts.laws.is_empty())
                     .then_some(study.layouts.contacts.scatter),
-                told: match study.layouts.is_asked() {
-                    true => laid.told(),
-                    false => 0,
-                },
                 searched: match is_first {
                     true => laid.searched(),
                     false => (0.0, 0),
@@ -262,7 +256,10 @@ impl Workload {
                 extra,
             });
         }
-        let told = stages.first().map_or(0, |stage: &Stage| stage.told);
+        let told = match study.layouts.is_asked() {
+            true => laid.told(),
+            false => 0,
+        };
         Self {
             stages,
             accuracy: study.accuracy,

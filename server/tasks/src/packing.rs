@@ -66,7 +66,9 @@ impl Packer<'_> {
     /// When the database can't be read or written, or the user stops it.
     pub fn pack(&self, sweep: &str) -> Result<Vec<Given>, TaskError> {
         let engine = self.engine;
-        let mut many = ManyDesigns::new(Some(&engine.store), &engine.solver, engine.threads);
+        let solver = engine.solver.as_ref();
+        let many = ManyDesigns::begin(Some(&engine.store), solver, engine.threads);
+        let mut many = self.runtime.block_on(many)?;
         let (mut whole, mut groups, mut parts) = (Vec::new(), Groups::default(), Vec::new());
         for first in (0..).step_by(TOGETHER) {
             let some = designs_within(&engine.store, sweep, first..first + TOGETHER);
@@ -75,7 +77,7 @@ impl Packer<'_> {
                 break;
             }
             let open: Vec<&DesignRow> = some.iter().filter(|d| !d.study.ended()).collect();
-            let works = workloads(&open, engine.solver.as_ref(), engine.threads, self.stop);
+            let works = workloads(&open, solver, engine.threads, self.stop);
             let works = works.ok_or(TaskError::Stopped)?;
             let foreseen = self.runtime.block_on(many.next(&works))?;
             for ((design, work), foreseen) in open.iter().zip(&works).zip(foreseen) {

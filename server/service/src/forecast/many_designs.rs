@@ -2,14 +2,12 @@
 
 use std::collections::HashSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
-use std::sync::Arc;
 
 use fem_client::solver::Solver;
 use placement::estimate::{Machine, Workload, estimate};
 use results::Estimate;
 
-use super::measured_machine::measured;
-use store::points::evaluations;
+use super::known_solves::{known, measured};
 use store::{Store, StoreError};
 
 /// Designs that are looked at together.
@@ -25,9 +23,7 @@ pub fn key_number(key: &str) -> u64 {
 /// Forecast of designs one after the other: what one of them solves is known to those after it.
 pub struct ManyDesigns<'m> {
     store: Option<&'m Store>,
-    solver: &'m Arc<dyn Solver>,
-    threads: usize,
-    machine: Option<Machine>,
+    machine: Machine,
     /// Numbers of the keys of points that earlier designs ask for.
     earlier: HashSet<u64>,
 }
@@ -42,14 +38,19 @@ pub struct Foreseen {
 
 impl<'m> ManyDesigns<'m> {
     /// Begins with designs of which nothing is known but what a database has.
-    pub fn new(store: Option<&'m Store>, solver: &'m Arc<dyn Solver>, threads: usize) -> Self {
-        Self {
+    ///
+    /// # Errors
+    /// When the database can't be read.
+    pub async fn begin(
+        store: Option<&'m Store>,
+        solver: &dyn Solver,
+        threads: usize,
+    ) -> Result<Self, StoreError> {
+        Ok(Self {
             store,
-            solver,
-            threads,
-            machine: None,
+            machine: measured(store, solver, threads).await?,
             earlier: HashSet::new(),
-        }
+        })
     }
 
     /// The next designs, in their order; of one without a workload nothing is foreseen.
@@ -60,16 +61,12 @@ impl<'m> ManyDesigns<'m> {
         &mut self,
         works: &[Option<Workload>],
     ) -> Result<Vec<Option<Foreseen>>, StoreError> {
-        let there = self.there(works).await?;
-        let machine = match self.machine.take() {
-            Some(machine) => machine,
-            None => measured(self.store, self.solver.as_ref(), self.threads).await?,
-        };
+        let there = known(self.store, works.iter().flatten()).await?;
         let foreseen = works.iter().map(|work| {
             let work = work.as_ref()?;
             let is_known =
                 |key: &str| there.contains(key) || self.earlier.contains(&key_number(key));
-            let estimate = estimate(work, &is_known, &machine);
+            let estimate = estimate(work, &is_known, &self.machine);
             self.earlier.extend(work.keys().map(key_number));
             let known = work.keys().filter(|key| there.contains(*key));
             Some(Foreseen {
@@ -77,18 +74,6 @@ impl<'m> ManyDesigns<'m> {
                 known: known.map(str::to_owned).collect(),
             })
         });
-        let foreseen = foreseen.collect();
-        self.machine = Some(machine);
-        Ok(foreseen)
-    }
-
-    /// Keys of points of theirs that the database has.
-    async fn there(&self, works: &[Option<Workload>]) -> Result<HashSet<String>, StoreError> {
-        let Some(store) = self.store else {
-            return Ok(HashSet::new());
-        };
-        let keys: Vec<&str> = works.iter().flatten().flat_map(Workload::keys).collect();
-        let mut connection = store.read().await?;
-        evaluations::known(&mut connection, &keys).await
+        Ok(foreseen.collect())
     }
 }

@@ -1,7 +1,7 @@
 //! Forecast of a study's cost on this machine, with what this database knows.
 
+mod known_solves;
 pub mod many_designs;
-mod measured_machine;
 
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -16,10 +16,9 @@ use placement::estimate::{Machine, NextLevel, Pace, Workload, estimate};
 use placement::points::worker_threads::in_parallel;
 use results::{Estimate, Surer};
 
+use self::known_solves::{known, measured, solves_at_once};
 use self::many_designs::{ManyDesigns, TOGETHER};
-use self::measured_machine::{measured, solves_at_once};
 use crate::wire::sweep_wire::{DesignEstimate, SweepEstimate};
-use store::points::evaluations;
 use store::queue::study_rows;
 use store::{Store, StoreError};
 
@@ -74,12 +73,7 @@ pub async fn pace(
     planned: &Arc<PlannedStudy>,
 ) -> Result<Pace, ForecastError> {
     let work = workload(solver, planned, Workload::of).await?;
-    let mut known = HashSet::new();
-    if let Some(store) = store {
-        let keys: Vec<&str> = work.keys().collect();
-        let mut connection = store.read().await?;
-        known = evaluations::known(&mut connection, &keys).await?;
-    }
+    let known = known(store, std::iter::once(&work)).await?;
     let machine = measured(store, solver.as_ref(), threads).await?;
     Ok(Pace::new(work, known, machine))
 }
@@ -177,7 +171,8 @@ pub async fn forecast_sweep(
     threads: usize,
     sweep: &Sweep,
 ) -> Result<SweepEstimate, ForecastError> {
-    let (mut many, mut designs) = (ManyDesigns::new(store, solver, threads), Vec::new());
+    let mut many = ManyDesigns::begin(store, solver.as_ref(), threads).await?;
+    let mut designs = Vec::new();
     for some in sweep.designs.chunks(TOGETHER) {
         let studies: Vec<Study> = some.iter().map(|design| design.study.clone()).collect();
         let solver = solver.clone();

@@ -1,12 +1,29 @@
-//! Machine that solves, as a database's newest solves show it.
+//! Solves of a database, as forecasts ask for them: which points it has, and how fast this machine is.
 
+use std::collections::HashSet;
 use std::num::NonZeroUsize;
 
 use fem_client::solver::Solver;
-use placement::estimate::Machine;
+use placement::estimate::{Machine, Workload};
 
 use store::points::evaluations;
 use store::{Store, StoreError};
+
+/// Keys of these workloads' points that a database has; without one it has none.
+///
+/// # Errors
+/// When the database can't be read.
+pub(super) async fn known<'w>(
+    store: Option<&Store>,
+    works: impl Iterator<Item = &'w Workload>,
+) -> Result<HashSet<String>, StoreError> {
+    let Some(store) = store else {
+        return Ok(HashSet::new());
+    };
+    let keys: Vec<&str> = works.flat_map(Workload::keys).collect();
+    let mut connection = store.read().await?;
+    evaluations::known(&mut connection, &keys).await
+}
 
 /// Machine with so many threads; without a database nothing is known of it but those.
 ///
