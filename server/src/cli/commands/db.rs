@@ -139,10 +139,9 @@ impl Db {
 
     fn check(&self, runtime: &Runtime) -> Result<(), Failure> {
         let found = runtime.block_on(async {
-            let mut connection = opening::to_read(&self.db).await?;
             let bar = counting_bar(0, "rows");
             let seen = |done, of| count(&bar, done, of);
-            let found = upkeep::inspect(&mut connection, &seen).await;
+            let found = upkeep::inspect(&self.db, &seen).await;
             bar.finish_and_clear();
             found
         });

@@ -39,8 +39,8 @@ pub async fn insert(
         sha256: sha256(&[study.as_bytes(), map.as_bytes()]),
     });
     let inserted = sqlx::query(
-        "insert into results (study, document, map_place, map_sha256, document_sha256, content_sha256, created)
-         values (?, ?, ?, ?, ?, ?, ?) on conflict do nothing",
+        "insert into results (study, document, map_place, map_sha256, document_sha256, content_sha256, created, brief)
+         values (?, ?, ?, ?, ?, ?, ?, ?) on conflict do nothing",
     )
     .bind(study)
     .bind(&document)
@@ -49,6 +49,7 @@ pub async fn insert(
     .bind(document_sha256(study, &document, taken.as_ref()))
     .bind(content)
     .bind(now())
+    .bind(brief(result))
     .execute(&mut *connection)
     .await?;
     if inserted.rows_affected() == 0 {
@@ -64,6 +65,11 @@ pub async fn insert(
         .execute(connection)
         .await?;
     Ok(())
+}
+
+/// The short answer, which lists show.
+fn brief(result: &StudyResult) -> Option<&str> {
+    result.answer.as_ref()?.brief.as_deref()
 }
 
 /// Takes the map out of a result's text, and returns the place where it stood.
@@ -137,11 +143,11 @@ pub async fn row(
 ) -> Result<Option<ResultRow>, StoreError> {
     let query = match extent {
         Extent::Whole => {
-            "select r.document, map_place, map_sha256, document_sha256, content_sha256, m.document
+            "select r.document, map_place, map_sha256, document_sha256, content_sha256, brief, m.document
              from results r left join result_maps m using (study) where study = ?"
         }
         Extent::WithoutMap => {
-            "select document, map_place, map_sha256, document_sha256, content_sha256, null from results where study = ?"
+            "select document, map_place, map_sha256, document_sha256, content_sha256, brief, null from results where study = ?"
         }
     };
     seals::intact(connection, "results", "study = ?", study).await?;
@@ -167,15 +173,16 @@ impl ResultRow {
         Ok((result, self.content_sha256()?))
     }
 
-    /// The result, whose content has the hash that is stored.
+    /// The result, whose content has the hash that is stored, and which lists show by its own short answer.
     fn checked(&self) -> Result<StudyResult, StoreError> {
         let (text, stored) = (self.text()?, self.content_sha256()?);
         let result = serde_json::from_str(&text).map_err(|_| damaged(&self.study))?;
-        let is_it = content_hash::of_text(&text, &result)?.as_ref() == Some(&stored);
-        if is_it || content_hash::of(&result)? == stored {
-            return Ok(result);
+        let is_content = content_hash::of_text(&text, &result)?.as_ref() == Some(&stored)
+            || content_hash::of(&result)? == stored;
+        match is_content && self.row.try_get::<Option<&str>, _>(5)? == brief(&result) {
+            true => Ok(result),
+            false => Err(damaged(&self.study)),
         }
-        Err(damaged(&self.study))
     }
 
     fn content_sha256(&self) -> Result<String, StoreError> {
@@ -197,7 +204,7 @@ impl ResultRow {
     }
 
     fn with_map(&self, document: &str, taken: &Taken) -> Result<String, StoreError> {
-        let map: Option<&str> = self.row.try_get(5)?;
+        let map: Option<&str> = self.row.try_get(6)?;
         let intact = |map: &&str| sha256(&[self.study.as_bytes(), map.as_bytes()]) == taken.sha256;
         let map = map.filter(intact).ok_or_else(|| lost_map(&self.study))?;
         let mut whole = String::with_capacity(document.len() + map.len());

@@ -187,9 +187,8 @@ async fn prepare(
             "it has a table, view or trigger {strange:?} that isn't one of strainsite's"
         )));
     }
-    let found = upkeep::inspect(&mut connection, seen).await;
     connection.close().await?;
-    let faults = found?.faults;
+    let faults = upkeep::inspect(copy, seen).await?.faults;
     if let Some(fault) = faults.first() {
         let cause = format!(
             "it isn't whole ({fault}; {} faults in all), and the database was left as it is",

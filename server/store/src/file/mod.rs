@@ -8,11 +8,12 @@
 //! - `condition`, [`opening`]: what a file is before it is touched
 //! - `pools`: connections: one that writes, a few that read
 //! - [`copies`], [`unfinished`]: copies, and a copy back in its place
-//! - [`upkeep`]: checks, free pages
+//! - [`upkeep`], `keyed_rows`: checks, free pages
 
 pub(crate) mod condition;
 pub mod copies;
 pub(crate) mod identity;
+pub(crate) mod keyed_rows;
 pub(crate) mod lock;
 pub mod opening;
 pub(crate) mod place;

@@ -8,7 +8,7 @@ use sqlx::{Connection, SqlSafeStr, SqliteConnection};
 use crate::store_error::StoreError;
 
 /// The files of `migrations`, in order, each by its number and name.
-static CHANGES: [(&str, &str); 8] = [
+static CHANGES: [(&str, &str); 9] = [
     (
         "0001_tables",
         include_str!("../../../../migrations/0001_tables.sql"),
@@ -40,6 +40,10 @@ static CHANGES: [(&str, &str); 8] = [
     (
         "0008_result_extracts",
         include_str!("../../../../migrations/0008_result_extracts.sql"),
+    ),
+    (
+        "0009_brief_column",
+        include_str!("../../../../migrations/0009_brief_column.sql"),
     ),
 ];
 

@@ -8,20 +8,12 @@ use std::path::Path;
 use serde::Serialize;
 use sqlx::{Connection, SqliteConnection};
 
-use crate::answers::result_rows;
-use crate::answers::trades;
 use crate::file::condition;
+use crate::file::keyed_rows::KeyedRows;
 use crate::file::lock::DatabaseLock;
 use crate::file::opening::{self, Missing};
 use crate::points::crashes;
-use crate::points::evaluations;
-use crate::points::model_runs;
 use crate::points::study_points;
-use crate::queue::design_rows;
-use crate::queue::engine_rows;
-use crate::queue::estimator_rows;
-use crate::queue::study_rows;
-use crate::queue::sweep_rows;
 use crate::seals;
 use crate::store_error::StoreError;
 
@@ -34,120 +26,44 @@ pub struct Inspection {
     pub faults: Vec<String>,
 }
 
-/// Reads everything: SQLite's own structures, every reference, every hash, and that each study has the points it counts. Tells `seen` how
-/// many rows it has read, and of how many.
+/// Reads everything: SQLite's own structures, every reference, every hash, and that each study has the points it counts. Rows are read on all cores. Tells `seen` how
+/// many it has read, and of how many.
 ///
 /// # Errors
 /// When the database can't be read at all.
-pub async fn inspect(
+pub async fn inspect(path: &Path, seen: &dyn Fn(usize, usize)) -> Result<Inspection, StoreError> {
+    let mut connection = opening::to_read(path).await?;
+    let found = inspected(path, &mut connection, seen).await;
+    connection.close().await?;
+    found
+}
+
+async fn inspected(
+    path: &Path,
     connection: &mut SqliteConnection,
     seen: &dyn Fn(usize, usize),
 ) -> Result<Inspection, StoreError> {
-    let mut found = Inspection::default();
-    let mut tables = Vec::new();
-    for (table, keys) in KEYED {
-        let keys: Vec<String> = sqlx::query_scalar(keys).fetch_all(&mut *connection).await?;
-        found.rows.insert(table, keys.len());
-        tables.push((table, keys));
-    }
-    let (mut done, of) = (0, found.rows.values().sum());
-    seen(done, of);
-    let verdicts: Vec<String> = sqlx::query_scalar("pragma integrity_check(20)")
-        .fetch_all(&mut *connection)
-        .await?;
-    let damages = verdicts.into_iter().filter(|verdict| verdict != "ok");
-    found.faults.extend(damages);
-    found.faults.extend(dangling(connection).await?);
-    for (table, keys) in tables {
-        for keys in keys.chunks(AT_ONCE) {
-            // Of many rows at once only the first that is damaged is told.
-            if !are_whole(connection, table, keys).await? {
-                for key in keys {
-                    let read = read(connection, table, key).await;
-                    found.faults.extend(damage(read)?);
-                }
-            }
-            done += keys.len();
-            seen(done, of);
-        }
-    }
+    let keyed = KeyedRows::list(connection).await?;
+    let mut found = Inspection {
+        rows: keyed.counts(),
+        faults: structure(connection).await?,
+    };
+    found.faults.extend(keyed.faults(path, seen).await?);
     found.faults.extend(seals::broken(connection).await?);
     found.faults.extend(short(connection).await?);
     found.faults.extend(gaps(connection).await?);
     Ok(found)
 }
 
-/// Tables whose rows have a hash, with their keys.
-const KEYED: [(&str, &str); 8] = [
-    ("evaluations", "select key from evaluations"),
-    ("model_runs", "select key from model_runs"),
-    ("start_states", "select key from start_states"),
-    ("results", "select study from results"),
-    ("studies", "select id from studies"),
-    ("sweeps", "select id from sweeps"),
-    ("estimators", "select id from estimators"),
-    ("trades", "select distinct spec_sha256 from trades"),
-];
-
-/// Rows of a table that are read at once, where that can be done: each question takes a tenth of a millisecond beside what it reads.
-const AT_ONCE: usize = 64;
-
-/// Whether rows that can be read at once are whole; false where they can't.
-async fn are_whole(
-    connection: &mut SqliteConnection,
-    table: &str,
-    keys: &[String],
-) -> Result<bool, StoreError> {
-    let read = match table {
-        "evaluations" => evaluations::find(connection, keys).await.map(drop),
-        "model_runs" => model_runs::find(connection, keys).await.map(drop),
-        _ => return Ok(false),
-    };
-    damage(read).map(|damage| damage.is_none())
-}
-
-/// Reads a row, and compares it with its hash.
-async fn read(connection: &mut SqliteConnection, table: &str, key: &str) -> Result<(), StoreError> {
-    let one = || [key.to_owned()];
-    match table {
-        "evaluations" => evaluations::find(connection, &one()).await.map(drop),
-        "model_runs" => model_runs::find(connection, &one()).await.map(drop),
-        "start_states" => evaluations::find_start(connection, key).await.map(drop),
-        "results" => result_rows::check(connection, key).await,
-        "studies" => check_study(connection, key).await,
-        "sweeps" => check_sweep(connection, key).await,
-        "estimators" => estimator_rows::check(connection, key).await,
-        _ => trades::newest(connection, key).await.map(drop),
-    }
-}
-
-/// Words for a row that is damaged; other failures stay.
-fn damage(read: Result<(), StoreError>) -> Result<Option<String>, StoreError> {
-    match read {
-        Ok(()) => Ok(None),
-        Err(error @ StoreError::Damaged { .. }) => Ok(Some(error.to_string())),
-        Err(error) => Err(error),
-    }
-}
-
-/// Checks its document, and which evaluations are its points.
-async fn check_study(connection: &mut SqliteConnection, id: &str) -> Result<(), StoreError> {
-    if let Some(study) = study_rows::find(connection, id).await? {
-        study.document()?;
-    }
-    study_points::of(connection, id).await.map(|_| ())
-}
-
-async fn check_sweep(connection: &mut SqliteConnection, id: &str) -> Result<(), StoreError> {
-    if let Some(sweep) = sweep_rows::find(connection, id).await? {
-        sweep.document()?;
-    }
-    if let Some(given) = engine_rows::find(connection, id).await? {
-        given.report()?;
-    }
-    design_rows::designs(connection, id, design_rows::ALL)
-        .await
-        .map(|_| ())
+/// Faults of SQLite's own structures, and rows that refer to none.
+async fn structure(connection: &mut SqliteConnection) -> Result<Vec<String>, StoreError> {
+    let verdicts: Vec<String> = sqlx::query_scalar("pragma integrity_check(20)")
+        .fetch_all(&mut *connection)
+        .await?;
+    let mut faults = verdicts;
+    faults.retain(|verdict| verdict != "ok");
+    faults.extend(dangling(connection).await?);
+    Ok(faults)
 }
 
 async fn dangling(connection: &mut SqliteConnection) -> Result<Vec<String>, StoreError> {

@@ -10,7 +10,7 @@ use fem_client::solver::{SolveError, SolveRequest, Solved, Solver};
 use serde_json::Value;
 use service::solving::isolated::parent::Isolated;
 use service::solving::watched::Watched;
-use store::file::{opening, upkeep};
+use store::file::upkeep;
 
 use crate::app::{App, Home, serve, study};
 
@@ -88,8 +88,7 @@ async fn failed_point(app: &App, id: &str) -> String {
 
 /// A point that left nothing isn't taken for one that was lost.
 async fn assert_whole(home: &Home) {
-    let opened = opening::to_read(&home.database()).await;
-    let found = upkeep::inspect(&mut opened.expect("opens"), &|_, _| {}).await;
+    let found = upkeep::inspect(&home.database(), &|_, _| {}).await;
     assert_eq!(found.expect("reads").faults, Vec::<String>::new());
 }
 

@@ -30,8 +30,8 @@ async fn rows(connection: &mut SqliteConnection, table: &str) -> i64 {
     count.await.expect("reads")
 }
 
-async fn faults(connection: &mut SqliteConnection) -> Vec<String> {
-    let found = upkeep::inspect(connection, &|_, _| {}).await;
+async fn faults(home: &Home) -> Vec<String> {
+    let found = upkeep::inspect(&home.database(), &|_, _| {}).await;
     found.expect("reads").faults
 }
 
@@ -55,7 +55,7 @@ async fn a_removed_study_takes_only_what_is_its_own() {
     assert!(rows(&mut sql, "evaluations").await < both);
     let after = app.json(&format!("/v1/studies/{kept}/result")).await;
     assert_eq!(after, before);
-    assert_eq!(faults(&mut sql).await, Vec::<String>::new());
+    assert_eq!(faults(&home).await, Vec::<String>::new());
 
     remove(&app, &format!("/v1/studies/{kept}")).await;
     for table in [
@@ -87,7 +87,7 @@ async fn a_running_study_is_cancelled_and_removed_and_the_next_one_runs() {
     remove(&app, &format!("/v1/studies/{running}")).await;
     app.wait_for(&next, "running").await;
     let mut sql = home.sql().await;
-    assert_eq!(faults(&mut sql).await, Vec::<String>::new());
+    assert_eq!(faults(&home).await, Vec::<String>::new());
     remove(&app, &format!("/v1/studies/{next}")).await;
     assert_eq!(rows(&mut sql, "evaluations").await, 0);
 }
