@@ -203,6 +203,16 @@ impl ShearField {
     }
 }
 
+impl LoadField {
+    /// Variance over contacts of a kind of film's signal beside the modes, of a film this far from them, degrees: all of its scatter where there are none.
+    pub(crate) fn scatter(&self, kind: usize, apart_deg: f64) -> f64 {
+        match self.modes.count() {
+            0 => self.kinds[kind].scatter(apart_deg),
+            _ => self.modes.left(kind, apart_deg),
+        }
+    }
+}
+
 impl KindField {
     /// Variance of the signal over contacts, of a film this far from them, degrees; the noise's comes on top.
     pub fn scatter(&self, apart_deg: f64) -> f64 {

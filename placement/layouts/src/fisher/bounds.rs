@@ -48,7 +48,6 @@ pub fn information(
 ) -> Information {
     let unknowns = 1 + field.kinds.first().map_or(1, |kind| kind.slopes.len());
     let mut information = Information::of(unknowns);
-    let modes = field.modes.count();
     let mut all = Vec::with_capacity(arrangement.films.len());
     for film in &arrangement.films {
         let kind = &field.kinds[film.kind];
@@ -58,14 +57,10 @@ pub fn information(
             *slope = own;
         }
         let own = noise.variance(kind.signal.at(apart), slopes[0]);
-        let scatter = match modes {
-            0 => kind.scatter(apart),
-            _ => field.modes.left(film.kind, apart),
-        };
-        information.add(&slopes, own + scatter);
+        information.add(&slopes, own + field.scatter(film.kind, apart));
         all.push(slopes);
     }
-    if modes > 0 {
+    if field.modes.count() > 0 {
         JointScatter::new(field, arrangement, noise, contact_deg).hide(&mut information, &all);
     }
     information

@@ -44,7 +44,7 @@ impl JointScatter {
             .zip(&means)
             .map(|((kind, apart), mean)| {
                 let own = noise.variance(*mean, signal(kind).slope(apart));
-                own + field.modes.left(kind, apart)
+                own + field.scatter(kind, apart)
             })
             .collect();
         let mode = |mode: usize| -> Vec<f64> {

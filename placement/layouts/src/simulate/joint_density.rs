@@ -1,4 +1,4 @@
-//! Density of contacts over which films scatter together: the readings' covariance at every point that is looked at.
+//! Density of contacts where films scatter together, or each by its signal: the readings' covariance at every point that is looked at.
 
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -176,13 +176,13 @@ mod tests {
     use crate::field::response_surface::Drawn;
     use crate::field::response_surface::tests::surface;
     use crate::fisher::bounds::tests::NOISE;
-    use crate::simulate::reading_likelihood::KnownScatter;
+    use crate::simulate::reading_likelihood::Prepared;
 
     #[test]
     fn all_cells_at_once_have_the_density_of_each() {
         let fields = DepthFields::over_contacts(surface(), Drawn::All, true);
         let likelihood = Likelihood::new(fields, NOISE);
-        let KnownScatter::Together(fields) = &likelihood.scatter else {
+        let Prepared::AtPoints(fields) = &likelihood.prepared else {
             panic!("asked for together");
         };
         let arrangement = Arrangement::regular(6, &[0, 1], false);

@@ -11,8 +11,8 @@ use crate::simulate::lanes::largest;
 use crate::simulate::posterior_grid::Block;
 use crate::simulate::reading_density::Density;
 
-/// Distance below the largest ln p at which a part holds nothing: exp(-16) of it.
-const NEGLIGIBLE: f64 = 16.0;
+/// Distance below the largest ln p at which a part holds nothing: exp(-12) of it.
+const NEGLIGIBLE: f64 = 12.0;
 
 /// Estimates angle and depth from readings of one layout.
 pub(super) struct Estimator<'l, D> {

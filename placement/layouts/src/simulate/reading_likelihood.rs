@@ -1,4 +1,7 @@
-//! Likelihood of readings, whatever the layout. Where each film scatters on its own, ln p is a sum of products of a function of the depth and one of the angle.
+//! Likelihood of readings, whatever the layout. Where noise is the same everywhere, ln p is a sum of products of a function of the depth and one of the angle.
+//!
+//! A variance that goes by the signal or its slope falls to the floor wherever these pass through zero, in a tenth of a degree: no sum of smooth products follows that, and ln p is
+//! worked out at each point.
 
 use std::sync::OnceLock;
 
@@ -21,15 +24,15 @@ pub struct Likelihood {
     noise: Noise,
     /// Middles of the finest parts of the depth cells, mm.
     pub(super) depths_mm: Vec<f64>,
-    pub(super) scatter: KnownScatter,
+    pub(super) prepared: Prepared,
 }
 
-/// KnownScatter over contacts, as an estimate knows it.
-pub(super) enum KnownScatter {
-    /// Each film's for its own.
-    Each(Products),
-    /// Fields at the finest parts of depths with what all films scatter in together, made where they are asked for.
-    Together(Vec<OnceLock<LoadField>>),
+/// Parts that the densities of all layouts are made of.
+pub(super) enum Prepared {
+    /// Products, where noise is the same everywhere and contacts don't differ.
+    Separated(Products),
+    /// Fields at the finest parts of depths, made where they are asked for.
+    AtPoints(Vec<OnceLock<LoadField>>),
 }
 
 /// Parts of ln p as sums of products.
@@ -42,7 +45,7 @@ pub(super) struct Products {
 /// Likelihood of contacts of which one quantity alone is drawn, or none.
 pub(crate) type Alone = (Drawn, Option<ContactQuantity>, Likelihood);
 
-/// Factors of the products by part of a depth, those of readings first, then those of squared readings. Each row ends with zeros, up to a multiple of [`LANES`].
+/// Factors of the products by part of a depth, those of readings first. Each row ends with zeros, up to a multiple of [`LANES`].
 pub(super) struct Coefficients {
     rank: usize,
     values: Vec<f64>,
@@ -65,10 +68,9 @@ impl Coefficients {
     }
 }
 
-/// The three parts of ln p as separated fields; that of squared readings is left out where the noise is the same everywhere.
+/// The two parts of ln p as separated fields.
 pub(super) struct Parts {
     pub linear: Separated,
-    pub quadratic: Option<Separated>,
     pub constant: Separated,
 }
 
@@ -76,21 +78,20 @@ impl Likelihood {
     /// Prepares films of these fields; depths are flat between the ends of the solved ones.
     pub fn new(fields: DepthFields, noise: Noise) -> Self {
         let depths_mm = middles(fields.depths.ends(), DEPTH_CELLS * MOST_PARTS);
-        let scatter = match fields.together {
-            Some(_) => KnownScatter::Together(depths_mm.iter().map(|_| OnceLock::new()).collect()),
-            None => {
-                let parts = separate(&fields, &depths_mm, &noise);
-                KnownScatter::Each(Products {
-                    coefficients: joined(&parts),
-                    parts,
-                })
-            }
+        let prepared = if noise.is_plain() && fields.spread.is_none() {
+            let parts = separate(&fields, &depths_mm, noise.floor);
+            Prepared::Separated(Products {
+                coefficients: joined(&parts),
+                parts,
+            })
+        } else {
+            Prepared::AtPoints(depths_mm.iter().map(|_| OnceLock::new()).collect())
         };
         Self {
             fields,
             noise,
             alone: OnceLock::new(),
-            scatter,
+            prepared,
             depths_mm,
         }
     }
@@ -138,18 +139,13 @@ impl Likelihood {
     }
 }
 
-/// 1 / S, h / S and h^2 / S + ln S of every kind at every depth.
-fn separate(fields: &DepthFields, depths_mm: &[f64], noise: &Noise) -> Parts {
+/// h / S and h^2 / S of every kind at every depth, with S the square of the noise.
+fn separate(fields: &DepthFields, depths_mm: &[f64], noise: f64) -> Parts {
     let loads: Vec<LoadField> = depths_mm.iter().map(|depth| fields.at(*depth)).collect();
-    let over = |part: &dyn Fn(f64, f64) -> f64| -> Separated {
+    let over = |part: &dyn Fn(f64) -> f64| -> Separated {
         let kind = |kind: &KindField| -> Vec<f64> {
-            let angles = (-180..180).map(f64::from).zip(kind.signal.samples());
-            angles
-                .map(|(u, signal)| {
-                    let own = noise.variance(*signal, kind.signal.slope(u));
-                    part(*signal, own + kind.scatter(u))
-                })
-                .collect()
+            let signals = kind.signal.samples().iter();
+            signals.map(|signal| part(*signal)).collect()
         };
         let fields: Vec<Vec<Vec<f64>>> = loads
             .iter()
@@ -158,28 +154,17 @@ fn separate(fields: &DepthFields, depths_mm: &[f64], noise: &Noise) -> Parts {
         Separated::of(&fields, TOLERANCE)
     };
     Parts {
-        linear: over(&|signal, variance| signal / variance),
-        quadratic: (!noise.is_plain() || fields.spread.is_some())
-            .then(|| over(&|_, variance| 1.0 / variance)),
-        constant: over(&|signal, variance| {
-            signal * signal / variance + (variance / (noise.floor * noise.floor)).ln()
-        }),
+        linear: over(&|signal| signal / (noise * noise)),
+        constant: over(&|signal| (signal / noise) * (signal / noise)),
     }
 }
 
 /// The factors of all products by depth.
 fn joined(parts: &Parts) -> Coefficients {
-    let of = |field: &Separated| field.rank();
-    let rank = of(&parts.linear) + parts.quadratic.as_ref().map_or(0, of) + of(&parts.constant);
+    let rank = parts.linear.rank() + parts.constant.rank();
     let all = |depth: usize| {
-        let quadratic = parts
-            .quadratic
-            .iter()
-            .flat_map(move |field| &field.coefficients[depth]);
         let linear = parts.linear.coefficients[depth].iter();
-        let factors = linear
-            .chain(quadratic)
-            .chain(&parts.constant.coefficients[depth]);
+        let factors = linear.chain(&parts.constant.coefficients[depth]);
         let zeros = rank.next_multiple_of(LANES) - rank;
         factors.copied().chain(std::iter::repeat_n(0.0, zeros))
     };

@@ -1,4 +1,4 @@
-//! Density of contacts over which each film scatters on its own: ln p as sums of products.
+//! Density of contacts where noise is the same everywhere: ln p as sums of products.
 
 use ndarray::{Array1, Array2};
 
@@ -6,7 +6,7 @@ use crate::arrangement::Arrangement;
 use crate::simulate::posterior_grid::PosteriorGrid;
 use crate::simulate::reading_density::Density;
 use crate::simulate::reading_likelihood::{Likelihood, Products};
-use crate::simulate::turned_products::{Functions, TurnedProducts};
+use crate::simulate::turned_products::TurnedProducts;
 
 /// A part of an angle whose products weren't asked for.
 const NONE: usize = usize::MAX;
@@ -19,16 +19,12 @@ pub(super) struct SeparatedDensity<'l> {
     constants: Array1<f64>,
     /// Weights of each film's reading in ln p at the cells' middles: films by cells.
     of_readings: Array2<f64>,
-    /// Weights of each film's squared reading; none where the noise is the same everywhere.
-    of_squares: Option<Array2<f64>>,
 }
 
 /// Readings, and products that were made for them.
 pub(super) struct AfterReadings<'r> {
     /// A reading of each film.
     readings: &'r [f64],
-    /// Squares of them.
-    squares: Vec<f64>,
     /// Begin of each angle's values among the products; `NONE` where they weren't asked for.
     firsts: Vec<usize>,
     /// Values of the products' functions, part after part.
@@ -41,12 +37,9 @@ impl<'l> SeparatedDensity<'l> {
         let grid = PosteriorGrid::new(likelihood.fields(), arrangement, likelihood.noise());
         let products = TurnedProducts::new(own, arrangement, grid.angles());
         let middles = grid.middles();
-        let rank = own.parts.linear.rank();
-        let of_squares = || weights(&products, &middles, |at| &at.quadratic, (rank, -0.5));
         Self {
             constants: middles.iter().map(|at| products.constant(*at)).collect(),
-            of_readings: weights(&products, &middles, |at| &at.linear, (0, 1.0)),
-            of_squares: own.parts.quadratic.is_some().then(of_squares),
+            of_readings: weights(&products, &middles),
             products,
             grid,
         }
@@ -64,18 +57,12 @@ impl Density for SeparatedDensity<'_> {
     }
 
     fn logs(&self, readings: &Array2<f64>) -> Array2<f64> {
-        let mut logs = readings.dot(&self.of_readings);
-        if let Some(of_squares) = &self.of_squares {
-            logs += &readings.mapv(|y| y * y).dot(of_squares);
-        }
-        logs += &self.constants;
-        logs
+        readings.dot(&self.of_readings) + &self.constants
     }
 
     fn after<'a>(&'a self, readings: &'a [f64]) -> AfterReadings<'a> {
         AfterReadings {
             readings,
-            squares: readings.iter().map(|y| y * y).collect(),
             firsts: vec![NONE; self.grid.angles()],
             products: Vec::new(),
         }
@@ -86,7 +73,7 @@ impl Density for SeparatedDensity<'_> {
             NONE => {
                 let first = after.products.len();
                 self.products
-                    .add_after(angle, after.readings, &after.squares, &mut after.products);
+                    .add_after(angle, after.readings, &mut after.products);
                 after.firsts[angle] = first;
                 first
             }
@@ -101,21 +88,16 @@ impl Density for SeparatedDensity<'_> {
     }
 }
 
-/// Films by cells: the products' functions at the films times their factors at the cells' middles, which begin at a number, times a factor of all.
-fn weights(
-    products: &TurnedProducts<'_>,
-    middles: &[[usize; 2]],
-    functions: impl Fn(&Functions) -> &Vec<f64>,
-    (first, factor): (usize, f64),
-) -> Array2<f64> {
+/// Films by cells: the functions with readings at the films times their factors at the cells' middles.
+fn weights(products: &TurnedProducts<'_>, middles: &[[usize; 2]]) -> Array2<f64> {
     let films = products.films();
     let mut weights = Array2::zeros((films, middles.len()));
     for (cell, &[angle, depth]) in middles.iter().enumerate() {
-        let coefficients = &products.own.coefficients.at(depth)[first..];
-        let of_products = functions(products.at(angle)).chunks_exact(films);
+        let coefficients = products.own.coefficients.at(depth);
+        let of_products = products.at(angle).linear.chunks_exact(films);
         for (of_films, coefficient) in of_products.zip(coefficients) {
             for (film, function) in of_films.iter().enumerate() {
-                weights[[film, cell]] += factor * coefficient * function;
+                weights[[film, cell]] += coefficient * function;
             }
         }
     }

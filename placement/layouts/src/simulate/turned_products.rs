@@ -11,8 +11,6 @@ use crate::simulate::reading_likelihood::Products;
 pub(super) struct Functions {
     /// Functions with readings at each film, product after product.
     pub linear: Vec<f64>,
-    /// Functions with squared readings; empty where the noise is the same everywhere.
-    pub quadratic: Vec<f64>,
     /// Functions without readings, summed over the films.
     pub constant: Vec<f64>,
 }
@@ -54,7 +52,6 @@ impl<'l> TurnedProducts<'l> {
             let of_films = constant.chunks_exact(self.films());
             Functions {
                 linear: films(&parts.linear),
-                quadratic: parts.quadratic.as_ref().map(films).unwrap_or_default(),
                 constant: of_films.map(|films| films.iter().sum()).collect(),
             }
         })
@@ -65,25 +62,12 @@ impl<'l> TurnedProducts<'l> {
         self.own.coefficients.row_len()
     }
 
-    /// Adds the products' functions at a part of a turn, after these readings and their squares, to a list, and the zeros behind them.
-    pub(super) fn add_after(
-        &self,
-        angle: usize,
-        readings: &[f64],
-        squares: &[f64],
-        list: &mut Vec<f64>,
-    ) {
-        let Functions {
-            linear,
-            quadratic,
-            constant,
-        } = self.at(angle);
+    /// Adds the products' functions at a part of a turn, after these readings, to a list, and the zeros behind them.
+    pub(super) fn add_after(&self, angle: usize, readings: &[f64], list: &mut Vec<f64>) {
+        let Functions { linear, constant } = self.at(angle);
         let end = list.len() + self.row_len();
         for films in linear.chunks_exact(self.films()) {
             list.push(dot(films, readings));
-        }
-        for films in quadratic.chunks_exact(self.films()) {
-            list.push(-0.5 * dot(films, squares));
         }
         list.extend(constant.iter().map(|sum| -0.5 * sum));
         list.resize(end, 0.0);
