@@ -18,19 +18,19 @@ use crate::points::{evaluations, model_runs, study_points};
 use crate::queue::{design_rows, engine_rows, estimator_rows, study_rows, sweep_rows};
 use crate::store_error::StoreError;
 
-/// Tables whose rows have a hash, with their keys.
-const KEYED: [(&str, &str); 8] = [
-    ("evaluations", "select key from evaluations"),
-    ("model_runs", "select key from model_runs"),
-    ("start_states", "select key from start_states"),
-    ("results", "select study from results"),
-    ("studies", "select id from studies"),
-    ("sweeps", "select id from sweeps"),
-    ("estimators", "select id from estimators"),
-    ("trades", "select distinct spec_sha256 from trades"),
+/// Tables whose rows have a hash, with their keys, and the number of rows that are read at once.
+const KEYED: [(&str, &str, usize); 8] = [
+    ("evaluations", "select key from evaluations", AT_ONCE),
+    ("model_runs", "select key from model_runs", AT_ONCE),
+    ("start_states", "select key from start_states", 1),
+    ("results", "select study from results", 1),
+    ("studies", "select id from studies", 1),
+    ("sweeps", "select id from sweeps", 1),
+    ("estimators", "select id from estimators", 1),
+    ("trades", "select distinct spec_sha256 from trades", 1),
 ];
 
-/// Rows of a table that are read at once, where that can be done: each question takes a tenth of a millisecond beside what it reads.
+/// Rows of one question, where it can ask for many: each takes a tenth of a millisecond beside what it reads.
 const AT_ONCE: usize = 64;
 
 /// Connections that read at once, each of which holds a row in memory.
@@ -57,10 +57,10 @@ impl KeyedRows {
     /// When the database can't be read.
     pub(super) async fn list(connection: &mut SqliteConnection) -> Result<Self, StoreError> {
         let (mut counts, mut groups) = (BTreeMap::new(), Vec::new());
-        for (table, keys) in KEYED {
+        for (table, keys, at_once) in KEYED {
             let keys: Vec<String> = sqlx::query_scalar(keys).fetch_all(&mut *connection).await?;
             counts.insert(table, keys.len());
-            groups.extend(keys.chunks(at_once(table)).map(|keys| Group {
+            groups.extend(keys.chunks(at_once).map(|keys| Group {
                 table,
                 keys: keys.to_owned(),
             }));
@@ -152,14 +152,6 @@ impl Group {
             faults.extend(damage(read(connection, self.table, key).await)?);
         }
         Ok(faults)
-    }
-}
-
-/// Rows of a table that one question can ask for.
-fn at_once(table: &str) -> usize {
-    match table {
-        "evaluations" | "model_runs" => AT_ONCE,
-        _ => 1,
     }
 }
 
