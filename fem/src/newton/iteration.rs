@@ -55,7 +55,8 @@ pub struct Newton<'p> {
     focus: Option<Focus>,
     acceleration: Acceleration,
     flat: Vec<f64>,
-    indefinite: bool,
+    /// State at which this attempt last renewed the tangent.
+    renewed_at: Option<State>,
 }
 
 /// Iterations without a new smallest residual after which the attempt is given up: those that found an equilibrium after
@@ -114,7 +115,7 @@ impl<'p> Newton<'p> {
             focus: None,
             acceleration: Acceleration::default(),
             flat: Vec::new(),
-            indefinite: false,
+            renewed_at: None,
         })
     }
 
@@ -170,14 +171,16 @@ impl<'p> Newton<'p> {
         watch: &dyn Watch,
     ) -> Result<Converged, NotConverged> {
         let mut history = Vec::new();
-        self.indefinite = false;
+        self.renewed_at = None;
         self.set_pending(state, loads.support_factor);
         match self.iterate(state, loads, watch, &mut history) {
             Ok(()) => Ok(Converged { history }),
             Err(cause) => Err(NotConverged {
                 history,
                 cause,
-                indefinite: self.indefinite,
+                indefinite: self
+                    .inertia_of_last(loads)
+                    .is_some_and(|last| !last.is_positive()),
             }),
         }
     }

@@ -48,7 +48,7 @@ pub struct PathFailure {
     pub cause: Cause,
     /// Residuals of the last attempt.
     pub history: Vec<Imbalance>,
-    /// Whether the last attempt met a tangent with negative pivots: a sign of lost stability.
+    /// Whether the last attempt's last tangent had negative pivots: a sign of lost stability.
     pub indefinite: bool,
     /// Attempts that met one, the last included.
     pub losses: usize,

@@ -30,17 +30,20 @@ impl Newton<'_> {
     /// [`Cause`] when a new border doesn't fit in memory.
     pub fn start_from(&mut self, state: &State, loads: &Loads) -> Result<(), Cause> {
         self.focused_faces.clear();
+        self.focus = None;
         self.cover_contact(state, loads)
     }
 
     /// Brings all faces into focus that may touch the ground from this state, beside those that are, and makes the
     /// border serve them.
     pub(super) fn cover_contact(&mut self, state: &State, loads: &Loads) -> Result<(), Cause> {
-        self.focus = None;
         let faces = contact_faces(self.problem, state, loads);
         self.focused_faces.resize(faces.len(), false);
         for (focused, needed) in self.focused_faces.iter_mut().zip(&faces) {
-            *focused |= needed;
+            if *needed && !*focused {
+                *focused = true;
+                self.focus = None;
+            }
         }
         let refused = |error| match error {
             SetupError::Linear(error) => Cause::Singular(error),
@@ -55,7 +58,6 @@ impl Newton<'_> {
         fresh.settings = settings;
         fresh.effort = self.effort;
         fresh.pending.clone_from(&self.pending);
-        fresh.indefinite = self.indefinite;
         fresh.focused_faces = std::mem::take(&mut self.focused_faces);
         *self = fresh;
         Ok(())

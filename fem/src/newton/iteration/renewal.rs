@@ -36,11 +36,11 @@ impl Newton<'_> {
         rate >= 1.0 || left > self.settings.renewal_cost
     }
 
-    /// Assembles and factorises the tangent at a state, and returns the signs of its pivots, contact included.
+    /// Assembles and factorises the tangent at a state.
     ///
     /// # Errors
     /// [`Cause::Singular`].
-    pub(super) fn renew(&mut self, state: &State, loads: &Loads) -> Result<Inertia, Cause> {
+    pub(super) fn renew(&mut self, state: &State, loads: &Loads) -> Result<(), Cause> {
         let start = Instant::now();
         let mut tangent = match self.tangent.take().and_then(Arc::into_inner) {
             Some(own) => own,
@@ -61,10 +61,16 @@ impl Newton<'_> {
         self.effort.factorisations += 1;
         self.focus = None;
         self.acceleration.reset();
-        let inertia = tangent.inertia(self.problem, state, loads.ground_in(state).as_ref());
         self.tangent = Some(Arc::new(tangent));
-        self.indefinite |= !inertia.is_positive();
-        Ok(inertia)
+        self.renewed_at = Some(state.clone());
+        Ok(())
+    }
+
+    /// Signs of the pivots of the last tangent that was made with these loads, contact included: a dense factorisation of the border, which steps don't need.
+    pub(super) fn inertia_of_last(&self, loads: &Loads) -> Option<Inertia> {
+        let (tangent, state) = (self.tangent.as_ref()?, self.renewed_at.as_ref()?);
+        let ground = loads.ground_in(state);
+        Some(tangent.inertia(self.problem, state, ground.as_ref()))
     }
 
     /// The tangent at a state, for solves of the same problem near it: its factor is in single precision, because these
@@ -73,7 +79,7 @@ impl Newton<'_> {
     /// # Errors
     /// [`Cause`] when it is singular or doesn't fit in memory.
     pub fn tangent_at(&mut self, state: &State, loads: &Loads) -> Result<Arc<Tangent>, Cause> {
-        self.inertia_at(state, loads)?;
+        self.renew_in_full(state, loads)?;
         let own = self.tangent.take().and_then(Arc::into_inner);
         own.map(|tangent| Arc::new(tangent.rounded()))
             .ok_or(Cause::Diverged)
@@ -84,9 +90,14 @@ impl Newton<'_> {
     /// # Errors
     /// As [`Newton::tangent_at`].
     pub fn inertia_at(&mut self, state: &State, loads: &Loads) -> Result<Inertia, Cause> {
+        self.renew_in_full(state, loads)?;
+        self.inertia_of_last(loads).ok_or(Cause::Diverged)
+    }
+
+    /// Renews the tangent at an equilibrium, of the tensions there and not of those that some step foresaw.
+    fn renew_in_full(&mut self, state: &State, loads: &Loads) -> Result<(), Cause> {
         self.set_pending(state, loads.support_factor);
         self.cover_contact(state, loads)?;
-        // The pivots are those of the tensions there, not of those that some step foresaw.
         self.assembler.forget_last_tangent();
         self.renew(state, loads)
     }

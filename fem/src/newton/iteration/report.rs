@@ -75,7 +75,7 @@ pub struct NotConverged {
     pub history: Vec<Imbalance>,
     /// Cause of the end.
     pub cause: Cause,
-    /// Whether a tangent on the way had negative pivots: a sign of lost stability.
+    /// Whether the last tangent on the way had negative pivots: a sign of lost stability.
     pub indefinite: bool,
 }
 

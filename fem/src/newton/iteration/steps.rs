@@ -37,7 +37,8 @@ impl Newton<'_> {
         loads: &Loads,
         watch: &dyn Watch,
     ) -> Result<Inertia, Cause> {
-        let inertia = self.renew(state, loads)?;
+        self.renew(state, loads)?;
+        let inertia = self.inertia_of_last(loads).ok_or(Cause::Diverged)?;
         self.solve_displacements(state, loads, watch)?;
         Ok(inertia)
     }
