@@ -3,7 +3,7 @@
 use crate::menu::solved;
 
 /// A camber and a traction: their contacts are solved on one side each, and read on the other by the mirror planes, as is a station before the middle with and without the
-/// camber; the contacts of all at once that the surface is judged by lie on either side.
+/// camber or the traction; the contacts of all at once that the surface is judged by lie on either side.
 #[test]
 fn contacts_as_they_come_are_solved_on_one_side_and_judged_on_both() {
     let result = solved(
@@ -24,9 +24,9 @@ uneven = { kind = \"uniform\", min = -0.2, max = 0.2 }
 checks = 2
 ",
     );
-    // Flat ground at five depths; at the load and at both ends two steps of a camber, a traction and two of three stations, and the camber with each of these; two
-    // contacts of all at once.
-    assert_eq!(result.cost.layout_solves, 5 + (2 * 4 + 2) * 3 + 2);
+    // Flat ground at five depths; at the load and at both ends two steps of a camber, a traction and the middle station and four of the first of three, the camber with each of
+    // these stations, a traction with the first and the first with the middle one; two contacts of all at once.
+    assert_eq!(result.cost.layout_solves, 5 + (2 * 3 + 4 + 2 + 2) * 3 + 2);
     let findings = result.layout_findings.expect("layouts");
     let contacts = findings.contacts.expect("a surface");
     assert_eq!(

@@ -24,6 +24,19 @@ pub struct Change {
     pub signals: Vec<Vec<f64>>,
 }
 
+impl Change {
+    /// The opposite change.
+    #[must_use]
+    pub fn opposite(&self) -> Self {
+        let negative = |samples: &Vec<f64>| samples.iter().map(|sample| -sample).collect();
+        Self {
+            force_n: -self.force_n,
+            wrench: self.wrench.map(|load| -load),
+            signals: self.signals.iter().map(negative).collect(),
+        }
+    }
+}
+
 /// Contact at which one quantity differs from the usual one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AxisNode {

@@ -1,7 +1,7 @@
 //! Changes that two quantities make at once, beside those that each makes alone.
 //!
 //! Of the second quantity it is linear. Of the first it is the parabola through the usual contact and a step to either side: a camber moves the contact to one side,
-//! whichever way the wheel leans.
+//! whichever way the wheel leans. Where one side alone is solved, the other has the opposite change, and the parabola is a line.
 
 use crate::field::contact_axis::Change;
 

@@ -93,12 +93,12 @@ impl SolvedContacts<'_> {
         let mut pairs = Vec::new();
         for (pair, solved) in self.scenes.pairs().into_iter().zip(of_pairs) {
             for axes in self.scenes.components_of(pair) {
-                let nodes = depths
-                    .iter()
-                    .map(|(depth, depth_mm)| self.both(&alone, axes, *depth_mm, &solved[*depth]));
+                let nodes = depths.iter().map(|(depth, depth_mm)| {
+                    self.both(&alone, (pair, axes), *depth_mm, &solved[*depth])
+                });
                 pairs.push(ContactPair {
                     axes,
-                    steps: OF_PAIR,
+                    steps: [OF_PAIR; 2],
                     nodes: nodes.collect::<Result<_, String>>()?,
                 });
             }
@@ -122,15 +122,9 @@ impl SolvedContacts<'_> {
             change: read.less(&usual),
         };
         let own = [solved.stepped != axis.stepped, false];
-        let opposite = match axis.stepped {
-            Stepped::Camber | Stepped::Shift(1) => Some([false, true]),
-            Stepped::Shift(_) => Some([true, false]),
-            Stepped::Station(_) | Stepped::Height(_) | Stepped::Pressure | Stepped::Friction => {
-                None
-            }
-        };
+        let opposite = axis.stepped.opposite();
         let mut nodes = vec![node(0.0, quantity.usual(), &usual)];
-        for (step, outcome) in solved.steps().into_iter().zip(outcomes) {
+        for (step, outcome) in solved.steps().iter().copied().zip(outcomes) {
             let response = outcome.as_ref().map_err(|unsolved| {
                 format!("of the contacts that differ in {} at {depth_mm} mm one has no equilibrium: {unsolved}", quantity.words())
             })?;
@@ -145,24 +139,27 @@ impl SolvedContacts<'_> {
         Ok(nodes)
     }
 
-    /// Changes that the camber to either side makes at a depth with a station, beside those that each makes alone; these are their numbers.
+    /// Changes that a step of the first axis of a pair to either side makes at a depth with the second one, beside those that each makes alone; `axes` are their numbers, or
+    /// those of their image before or behind the middle. The mirror turns the camber; of what it doesn't turn, the opposite step makes the opposite change.
     fn both(
         &self,
         alone: &ResponseSurface,
-        axes: [usize; 2],
+        (pair, axes): ([usize; 2], [usize; 2]),
         depth_mm: f64,
         outcome: &Outcome,
     ) -> Result<[Change; 2], String> {
+        let [first, second] = pair.map(|axis| &self.scenes.axes[axis]);
         let response = outcome.as_ref().map_err(|unsolved| {
-            format!("of the contacts that differ in camber and uneven ground at {depth_mm} mm one has no equilibrium: {unsolved}")
+            let [one, other] =
+                [first, second].map(|axis| self.scenes.laws[axis.law].quantity.words());
+            format!("of the contacts that differ in {one} and {other} at {depth_mm} mm one has no equilibrium: {unsolved}")
         })?;
         let components = self.scenes.components();
-        let (solved, station) = &components[axes[1]];
-        let is_image = self.scenes.axes[*solved].stepped != station.stepped;
-        let of_side = |sign: f64| {
+        let is_image = components[axes[1]].1.stepped != second.stepped;
+        let changed = |step: f64, is_mirrored: bool| {
             let mut given = vec![Given::Step(0.0); components.len()];
-            given[axes[0]] = Given::Step(sign * OF_PAIR[0]);
-            given[axes[1]] = Given::Step(OF_PAIR[1]);
+            given[axes[0]] = Given::Step(step);
+            given[axes[1]] = Given::Step(OF_PAIR);
             let contact = alone.contact(depth_mm, &given);
             let kinds = 0..self.kinds.len();
             let expected = Read {
@@ -174,10 +171,24 @@ impl SolvedContacts<'_> {
                 },
                 signals: kinds.map(|kind| alone.signal(&contact, kind)).collect(),
             };
-            let found = self.read(response, depth_mm, [is_image, sign < 0.0])?;
+            let found = self.read(response, depth_mm, [is_image, is_mirrored])?;
             Ok::<_, String>(found.less(&expected))
         };
-        Ok([of_side(-1.0)?, of_side(1.0)?])
+        let opposite = first.stepped.opposite();
+        let step = match is_image && opposite == Some([true, false]) {
+            true => -self.scenes.step_of_first(pair),
+            false => self.scenes.step_of_first(pair),
+        };
+        let own = changed(step, false)?;
+        let other = match opposite {
+            Some([false, true]) => changed(-step, true)?,
+            _ => own.opposite(),
+        };
+        Ok(if step < 0.0 {
+            [own, other]
+        } else {
+            [other, own]
+        })
     }
 
     /// The usual contact at a depth.

@@ -21,8 +21,10 @@ const SHIFT_POWERS: [f64; 2] = [0.75, 1.0];
 /// Steps of contacts whose mirror images are the opposite ones, and of the others.
 const ONE_SIDE: [f64; 2] = [0.5, 1.0];
 const BOTH_SIDES: [f64; 2] = [-1.0, 1.0];
-/// Steps of the camber and of a station that are solved at once.
-pub(crate) const OF_PAIR: [f64; 2] = [0.75, 0.75];
+/// Steps of the outermost stations, which a deep contact meets and leaves within their law.
+const OUTERMOST: [f64; 4] = [-1.0, -0.5, 0.5, 1.0];
+/// Step of both quantities where two are solved at once.
+pub(crate) const OF_PAIR: f64 = 0.75;
 
 /// Step of a scene away from the usual contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -83,6 +85,15 @@ impl Stepped {
         }
     }
 
+    /// Mirrors, fore and aft and left and right, that turn it into the opposite step; none where the opposite one is another contact.
+    pub(crate) fn opposite(self) -> Option<[bool; 2]> {
+        match self {
+            Self::Camber | Self::Shift(1) => Some([false, true]),
+            Self::Shift(_) => Some([true, false]),
+            Self::Station(_) | Self::Height(_) | Self::Pressure | Self::Friction => None,
+        }
+    }
+
     /// Step of the station as far behind the middle of so many as this one is before it, where that is another one.
     fn image(self, stations: usize) -> Option<Self> {
         let other = stations - 1 - self.station()?;
@@ -96,11 +107,12 @@ impl Stepped {
 
 impl PlannedAxis {
     /// Steps that are solved.
-    pub fn steps(&self) -> [f64; 2] {
+    pub fn steps(&self) -> &'static [f64] {
         match self.stepped {
-            Stepped::Camber | Stepped::Shift(_) => ONE_SIDE,
+            Stepped::Camber | Stepped::Shift(_) => &ONE_SIDE,
+            Stepped::Station(0) | Stepped::Height(0) => &OUTERMOST,
             Stepped::Station(_) | Stepped::Height(_) | Stepped::Pressure | Stepped::Friction => {
-                BOTH_SIDES
+                &BOTH_SIDES
             }
         }
     }
@@ -172,58 +184,95 @@ impl<'s> ContactScenes<'s> {
         self.axes.iter().enumerate().flat_map(with_image).collect()
     }
 
-    /// Contacts that are solved of an axis on a level: by depth, from the middle one on, the steps of each.
-    fn of_axis(&self, axis: &PlannedAxis, level: Level) -> Vec<Scene> {
-        let scene = |(depth_mm, step): (f64, f64)| {
-            let mut scene = self.scenes.flat(depth_mm, level);
-            axis.step(&mut scene, depth_mm, step);
-            scene
-        };
-        let depths = self.depths.iter();
-        let of_depth = |depth: &f64| {
-            let depth = *depth;
-            axis.steps().map(move |step| (depth, step))
-        };
-        depths.flat_map(of_depth).map(scene).collect()
+    /// Contacts that are solved of an axis on a level.
+    fn of_axis(&self, axis: &PlannedAxis, level: Level, kinds: &[FilmKind]) -> SceneSeries {
+        let step = |scene: &mut Scene, depth_mm, step| axis.step(scene, depth_mm, step);
+        self.stepped(axis.steps(), step, level, kinds)
     }
 
-    /// Pairs of solved axes of which what both change at once is solved, too: the camber with the station in the middle and those beside it. Those farther out would add a third to
-    /// a study's time, and take a tenth off the surface's error.
+    /// Pairs of solved axes of which what both change at once is solved, too: those that matter most on the foot tire.
     pub fn pairs(&self) -> Vec<[usize; 2]> {
-        let is_camber = |axis: &PlannedAxis| axis.stepped == Stepped::Camber;
-        let beside = (self.scenes.stations() / 2).saturating_sub(1);
-        let is_inner = |axis: &PlannedAxis| axis.stepped.station().is_some_and(|own| own >= beside);
-        let camber = self.axes.iter().position(is_camber);
-        let stations = (0..self.axes.len()).filter(|axis| is_inner(&self.axes[*axis]));
-        camber
-            .into_iter()
-            .flat_map(|camber| stations.clone().map(move |station| [camber, station]))
+        let axes = 0..self.axes.len();
+        let with = |first: usize| axes.clone().map(move |second| [first, second]);
+        axes.clone()
+            .flat_map(with)
+            .filter(|pair| self.are_paired(*pair))
             .collect()
     }
 
-    /// Numbers of the surface's axes that a solved pair is about: its own, and those of the station's image.
-    pub(crate) fn components_of(&self, [camber, station]: [usize; 2]) -> Vec<[usize; 2]> {
+    /// Whether two axes are a pair: the camber with a station, a traction with one beside the middle, the outermost station with the next one.
+    fn are_paired(&self, pair: [usize; 2]) -> bool {
+        let [first, second] = pair.map(|axis| self.axes[axis].stepped);
+        let middle = self.scenes.stations() / 2;
+        let beside = middle.saturating_sub(1);
+        match (first, second.station()) {
+            (Stepped::Camber, Some(_)) => true,
+            (Stepped::Shift(0), Some(station)) => (beside..middle).contains(&station),
+            (Stepped::Station(0), _) => second == Stepped::Station(1),
+            (Stepped::Height(0), _) => second == Stepped::Height(1),
+            _ => false,
+        }
+    }
+
+    /// Numbers of the surface's axes that a solved pair is about: its own, and those of its image before or behind the middle, where it has one.
+    pub(crate) fn components_of(&self, pair: [usize; 2]) -> Vec<[usize; 2]> {
         let components = self.components();
-        let numbers = |solved: usize| {
-            let all = components.iter().enumerate();
-            all.filter_map(move |(number, own)| (own.0 == solved).then_some(number))
+        let numbers = pair.map(|solved| {
+            let own = (0..components.len()).filter(|number| components[*number].0 == solved);
+            own.collect::<Vec<usize>>()
+        });
+        let [first, second] = numbers.each_ref().map(Vec::len);
+        let number = |k: usize| {
+            let last = |own: &Vec<usize>| own[k.min(own.len() - 1)];
+            numbers.each_ref().map(last)
         };
-        let of_camber = numbers(camber);
-        of_camber
-            .flat_map(|camber| numbers(station).map(move |station| [camber, station]))
-            .collect()
+        (0..first.max(second)).map(number).collect()
     }
 
-    /// Contacts that are solved of a pair on a level: one by depth, from the middle one on.
-    fn of_pair(&self, pair: [usize; 2], level: Level) -> Vec<Scene> {
-        let scene = |depth_mm: &f64| {
-            let mut scene = self.scenes.flat(*depth_mm, level);
-            for (axis, step) in pair.into_iter().zip(OF_PAIR) {
-                self.axes[axis].step(&mut scene, *depth_mm, step);
-            }
-            scene
+    /// Step that is solved of the first axis of a pair. A traction that is negative before the middle stands for both signs better than the other one, on the foot tire.
+    pub(crate) fn step_of_first(&self, [first, _]: [usize; 2]) -> f64 {
+        match self.axes[first].stepped {
+            Stepped::Shift(_) => -OF_PAIR,
+            _ => OF_PAIR,
+        }
+    }
+
+    /// Contacts that are solved of a pair on a level.
+    fn of_pair(&self, pair: [usize; 2], level: Level, kinds: &[FilmKind]) -> SceneSeries {
+        let [first, second] = pair.map(|axis| &self.axes[axis]);
+        let step = |scene: &mut Scene, depth_mm, step| {
+            first.step(scene, depth_mm, step);
+            second.step(scene, depth_mm, OF_PAIR);
         };
-        self.depths.iter().map(scene).collect()
+        self.stepped(&[self.step_of_first(pair)], step, level, kinds)
+    }
+
+    /// Contacts at each depth, from the middle one on, at each of these steps.
+    fn stepped(
+        &self,
+        steps: &[f64],
+        step: impl Fn(&mut Scene, f64, f64),
+        level: Level,
+        kinds: &[FilmKind],
+    ) -> SceneSeries {
+        let mut scenes = Vec::new();
+        for depth_mm in &self.depths {
+            for own in steps {
+                let mut scene = self.scenes.flat(*depth_mm, level);
+                step(&mut scene, *depth_mm, *own);
+                scenes.push(scene);
+            }
+        }
+        // The first contact of a depth starts from that of the middle one, the others from the one before.
+        let start = |point: usize| match point.is_multiple_of(steps.len()) {
+            true => 0,
+            false => point - 1,
+        };
+        SceneSeries {
+            starts: Starts::of_each((0..scenes.len()).map(start).collect()),
+            readout: mirrored(kinds),
+            scenes,
+        }
     }
 
     /// Contacts of all quantities at once, evenly over their laws; `step_of` tells the step of an axis at a depth, mm, that gives a value of its quantity.
@@ -275,23 +324,11 @@ impl<'s> ContactScenes<'s> {
 
     /// All that is solved on a level, read for these kinds of film: a series for each pair, which take longest, then for each axis.
     pub fn series(&self, level: Level, kinds: &[FilmKind]) -> Vec<SceneSeries> {
-        let of_axis = |axis: &PlannedAxis| {
-            let scenes = self.of_axis(axis, level);
-            let of_depth = axis.steps().len();
-            // The first contact of a depth starts from that of the middle one, the others from the one before.
-            let start = |point: usize| match point.is_multiple_of(of_depth) {
-                true => 0,
-                false => point - 1,
-            };
-            SceneSeries {
-                starts: Starts::of_each((0..scenes.len()).map(start).collect()),
-                readout: mirrored(kinds),
-                scenes,
-            }
-        };
-        let of_pair = |pair| SceneSeries::from_first(self.of_pair(pair, level), mirrored(kinds));
-        let of_pairs = self.pairs().into_iter().map(of_pair);
-        of_pairs.chain(self.axes.iter().map(of_axis)).collect()
+        let of_pairs = self.pairs().into_iter();
+        let of_pairs = of_pairs.map(|pair| self.of_pair(pair, level, kinds));
+        let of_axes = self.axes.iter();
+        let of_axes = of_axes.map(|axis| self.of_axis(axis, level, kinds));
+        of_pairs.chain(of_axes).collect()
     }
 
     /// Contacts of all quantities at once on a level: a series each, as none is near another.
@@ -326,6 +363,7 @@ mod tests {
         Contacts {
             laws: vec![
                 law(ContactQuantity::Camber, -10.0, 10.0),
+                law(ContactQuantity::Traction, -0.2, 0.2),
                 law(ContactQuantity::Uneven, -0.3, 0.3),
                 law(ContactQuantity::Pressure, 0.9, 1.1),
             ],
@@ -343,36 +381,62 @@ mod tests {
         let scenes = LayoutScenes::of(&settings, &tire).expect("loads");
         let asked = contacts();
         let contacts = ContactScenes::of(&scenes, &asked).expect("laws");
-        // Two loads and both ends; a camber, three of five stations and a pressure, two steps each; and the camber with two stations.
-        // The middle one of two is the second.
+        // The middle one of two loads is the second; both ends are beside them.
         assert_eq!(contacts.depths, [2.0, 1.0, 2.5, 0.5]);
+        // The camber with three of five stations, a traction with one, the outermost station with the next. Then a camber, a traction, three stations and a pressure
+        // alone: two steps each, four of the outermost station.
         let all = contacts.series(Level::Draft, &[]);
         let counts: Vec<usize> = all.iter().map(|series| series.scenes.len()).collect();
-        assert_eq!(counts, [4, 4, 8, 8, 8, 8, 8]);
-        // Axes of the surface: the camber, five stations, the pressure.
-        assert_eq!(contacts.components().len(), 7);
+        assert_eq!(counts, [4, 4, 4, 4, 4, 8, 8, 16, 8, 8, 8]);
+        // Axes of the surface: the camber, the traction, five stations, the pressure.
+        assert_eq!(contacts.components().len(), 8);
         let differ = |scene: &Scene| {
             let ground = &scene.ground;
             let depths = &ground.depths_mm;
             [
                 ground.camber_deg != 0.0,
+                ground.shift_mm[0] != 0.0,
                 depths.iter().any(|depth| *depth != depths[2]),
                 scene.pressure != tire.pressure,
             ]
         };
-        assert_eq!(differ(&all[2].scenes[0]), [true, false, false]);
-        assert_eq!(differ(&all[3].scenes[0]), [false, true, false]);
-        assert_eq!(differ(&all[6].scenes[0]), [false, false, true]);
-        assert_eq!(differ(&all[0].scenes[0]), [true, true, false]);
-        // The camber with the stations before the middle and behind it, and with the middle one.
+        for (series, differing) in [
+            (0, [true, false, true, false]),
+            (3, [false, true, true, false]),
+            (4, [false, false, true, false]),
+            (5, [true, false, false, false]),
+            (6, [false, true, false, false]),
+            (7, [false, false, true, false]),
+            (10, [false, false, false, true]),
+        ] {
+            let scenes = &all[series].scenes;
+            assert!(
+                scenes.iter().all(|scene| differ(scene) == differing),
+                "{series}"
+            );
+        }
+        // The outermost station with the next one, 0.75 of 0.3 more of the depth; a thousandth of the law beyond either end isn't drawn.
+        let depths = &all[4].scenes[0].ground.depths_mm;
+        for (found, expected) in depths.iter().zip([2.45, 2.45, 2.0, 2.0, 2.0]) {
+            assert!((found - expected).abs() < 2.0 * 0.3 * 1e-2, "{depths:?}");
+        }
+        // The camber with the outermost stations, those before the middle and behind it, and the middle one; a traction with the ones beside it; outermost stations with
+        // the ones next to them.
         let numbers: Vec<_> = contacts
             .pairs()
             .into_iter()
             .map(|pair| contacts.components_of(pair))
             .collect();
-        assert_eq!(numbers, [vec![[0, 3], [0, 4]], vec![[0, 5]]]);
+        let expected = [
+            vec![[0, 2], [0, 3]],
+            vec![[0, 4], [0, 5]],
+            vec![[0, 6]],
+            vec![[1, 4], [1, 5]],
+            vec![[2, 4], [3, 5]],
+        ];
+        assert_eq!(numbers, expected);
         for scene in contacts.check_scenes(&contacts.farthest_checks(), Level::Draft) {
-            assert_eq!(differ(&scene), [true; 3]);
+            assert_eq!(differ(&scene), [true; 4]);
         }
         assert_eq!(ContactScenes::of(&scenes, &Contacts::default()), None);
     }
