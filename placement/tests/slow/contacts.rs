@@ -38,10 +38,11 @@ checks = 2
         ]
     );
     assert!(contacts.short.is_empty(), "{:?}", contacts.short);
-    // A wrong side would be off by the camber's whole effect: half of the crown's largest signal.
-    assert!(contacts.signal_error_rms < 0.03, "{contacts:?}");
+    // A camber on the wrong side would be off by half of the crown's largest signal; outermost stations with the middle one on the wrong side leave 0.023 and 0.040 where it is
+    // 0.010 and 0.021.
+    assert!(contacts.signal_error_rms < 0.015, "{contacts:?}");
     let slopes = contacts.slope_error_rms.expect("judged");
-    assert!(slopes < 0.06, "{contacts:?}");
+    assert!(slopes < 0.03, "{contacts:?}");
     assert!(contacts.force_error_n < 0.05 * 13.0, "{contacts:?}");
     for layout in &result.layouts {
         let score = &layout.score;

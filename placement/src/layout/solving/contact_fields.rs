@@ -155,7 +155,8 @@ impl SolvedContacts<'_> {
             format!("of the contacts that differ in {one} and {other} at {depth_mm} mm one has no equilibrium: {unsolved}")
         })?;
         let components = self.scenes.components();
-        let is_image = components[axes[1]].1.stepped != second.stepped;
+        let of_axes = axes.map(|axis| components[axis].1.stepped);
+        let is_image = of_axes != [first.stepped, second.stepped];
         let changed = |step: f64, is_mirrored: bool| {
             let mut given = vec![Given::Step(0.0); components.len()];
             given[axes[0]] = Given::Step(step);

@@ -187,7 +187,7 @@ impl<'s> ContactScenes<'s> {
     /// Contacts that are solved of an axis on a level.
     fn of_axis(&self, axis: &PlannedAxis, level: Level, kinds: &[FilmKind]) -> SceneSeries {
         let step = |scene: &mut Scene, depth_mm, step| axis.step(scene, depth_mm, step);
-        self.stepped(axis.steps(), step, level, kinds)
+        self.at_steps(axis.steps(), step, level, kinds)
     }
 
     /// Pairs of solved axes of which what both change at once is solved, too: those that matter most on the foot tire.
@@ -200,16 +200,15 @@ impl<'s> ContactScenes<'s> {
             .collect()
     }
 
-    /// Whether two axes are a pair: the camber with a station, a traction with one beside the middle, the outermost station with the next one.
+    /// Whether two axes are a pair: the camber with each station, a traction with each but the middle one, the outermost station with each of its law up to the middle.
     fn are_paired(&self, pair: [usize; 2]) -> bool {
         let [first, second] = pair.map(|axis| self.axes[axis].stepped);
         let middle = self.scenes.stations() / 2;
-        let beside = middle.saturating_sub(1);
-        match (first, second.station()) {
-            (Stepped::Camber, Some(_)) => true,
-            (Stepped::Shift(0), Some(station)) => (beside..middle).contains(&station),
-            (Stepped::Station(0), _) => second == Stepped::Station(1),
-            (Stepped::Height(0), _) => second == Stepped::Height(1),
+        match (first, second) {
+            (Stepped::Camber, _) => second.station().is_some(),
+            (Stepped::Shift(0), _) => second.station().is_some_and(|station| station < middle),
+            (Stepped::Station(0), Stepped::Station(other))
+            | (Stepped::Height(0), Stepped::Height(other)) => other > 0,
             _ => false,
         }
     }
@@ -244,11 +243,11 @@ impl<'s> ContactScenes<'s> {
             first.step(scene, depth_mm, step);
             second.step(scene, depth_mm, OF_PAIR);
         };
-        self.stepped(&[self.step_of_first(pair)], step, level, kinds)
+        self.at_steps(&[self.step_of_first(pair)], step, level, kinds)
     }
 
     /// Contacts at each depth, from the middle one on, at each of these steps.
-    fn stepped(
+    fn at_steps(
         &self,
         steps: &[f64],
         step: impl Fn(&mut Scene, f64, f64),
@@ -383,11 +382,11 @@ mod tests {
         let contacts = ContactScenes::of(&scenes, &asked).expect("laws");
         // The middle one of two loads is the second; both ends are beside them.
         assert_eq!(contacts.depths, [2.0, 1.0, 2.5, 0.5]);
-        // The camber with three of five stations, a traction with one, the outermost station with the next. Then a camber, a traction, three stations and a pressure
-        // alone: two steps each, four of the outermost station.
+        // The camber with three of five stations, a traction and the outermost station with two. Then a camber, a traction, three stations and a pressure alone: two steps
+        // each, four of the outermost station.
         let all = contacts.series(Level::Draft, &[]);
         let counts: Vec<usize> = all.iter().map(|series| series.scenes.len()).collect();
-        assert_eq!(counts, [4, 4, 4, 4, 4, 8, 8, 16, 8, 8, 8]);
+        assert_eq!(counts, [4, 4, 4, 4, 4, 4, 4, 8, 8, 16, 8, 8, 8]);
         // Axes of the surface: the camber, the traction, five stations, the pressure.
         assert_eq!(contacts.components().len(), 8);
         let differ = |scene: &Scene| {
@@ -403,11 +402,11 @@ mod tests {
         for (series, differing) in [
             (0, [true, false, true, false]),
             (3, [false, true, true, false]),
-            (4, [false, false, true, false]),
-            (5, [true, false, false, false]),
-            (6, [false, true, false, false]),
-            (7, [false, false, true, false]),
-            (10, [false, false, false, true]),
+            (5, [false, false, true, false]),
+            (7, [true, false, false, false]),
+            (8, [false, true, false, false]),
+            (9, [false, false, true, false]),
+            (12, [false, false, false, true]),
         ] {
             let scenes = &all[series].scenes;
             assert!(
@@ -416,12 +415,12 @@ mod tests {
             );
         }
         // The outermost station with the next one, 0.75 of 0.3 more of the depth; a thousandth of the law beyond either end isn't drawn.
-        let depths = &all[4].scenes[0].ground.depths_mm;
+        let depths = &all[5].scenes[0].ground.depths_mm;
         for (found, expected) in depths.iter().zip([2.45, 2.45, 2.0, 2.0, 2.0]) {
             assert!((found - expected).abs() < 2.0 * 0.3 * 1e-2, "{depths:?}");
         }
-        // The camber with the outermost stations, those before the middle and behind it, and the middle one; a traction with the ones beside it; outermost stations with
-        // the ones next to them.
+        // The camber with the outermost stations, those before the middle and behind it, and the middle one; a traction with all but the middle one; outermost stations
+        // with the ones next to them and with the middle one.
         let numbers: Vec<_> = contacts
             .pairs()
             .into_iter()
@@ -431,8 +430,10 @@ mod tests {
             vec![[0, 2], [0, 3]],
             vec![[0, 4], [0, 5]],
             vec![[0, 6]],
+            vec![[1, 2], [1, 3]],
             vec![[1, 4], [1, 5]],
             vec![[2, 4], [3, 5]],
+            vec![[2, 6], [3, 6]],
         ];
         assert_eq!(numbers, expected);
         for scene in contacts.check_scenes(&contacts.farthest_checks(), Level::Draft) {
